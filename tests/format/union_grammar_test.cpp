@@ -82,7 +82,6 @@ const Codes alias{"warning xml.alias-attribute"};
 const Codes positional{"warning xml.positional-attributes"};
 const Codes lacking{"error xml.missing-attribute"};
 const Codes unknown{"warning xml.unknown-attribute"};
-const Codes lacking_beside_unknown{"warning xml.unknown-attribute", "error xml.missing-attribute"};
 const Codes misspelled{"error xml.misspelled-attribute"};
 
 const std::vector<Rule> rules = {
@@ -179,13 +178,12 @@ const std::vector<Rule> rules = {
      "<color r=\"1\" g=\"0\" b=\"0\"/>",
      positional,
      "<color r=\"1\" green=\"0\" blue=\"0\"/>",
-     {"warning xml.unknown-attribute", "warning xml.unknown-attribute",
-      "error xml.missing-attribute"}},
+     {"error xml.missing-attribute", "error xml.missing-attribute"}},
     {"function_as_vector", light_with, "<function x=\"1\" y=\"2\" z=\"3\"/>",
      "<function v1=\"1\" v2=\"2\" v3=\"3\"/>", nothing, "<function x=\"1\" y=\"2\"/>", lacking},
     {"function_as_letters", light_with, "<function a=\"1\" b=\"2\" c=\"3\"/>",
      "<function v1=\"1\" v2=\"2\" v3=\"3\"/>", nothing, "<function a=\"1\" b=\"2\" d=\"3\"/>",
-     lacking_beside_unknown},
+     lacking},
     {"function_by_order",
      light_with,
      "<function k=\"1\" l=\"2\" q=\"3\"/>",

@@ -124,7 +124,33 @@ TEST(XmlDialect, ObjectsAndTexturesHaveAnOrderToo) {
 
 TEST(XmlDialect, SomeNamesAreNotEnough) {
   EXPECT_THAT(findings(read(with_transforms("<translate x=\"1\" y=\"2\" w=\"3\"/>")).diagnostics),
-              ElementsAre("4:24 warning xml.unknown-attribute", "4:1 error xml.missing-attribute"));
+              ElementsAre("4:1 error xml.missing-attribute"));
+  EXPECT_THAT(messages(read(with_transforms("<translate x=\"1\" y=\"2\" w=\"3\"/>")).diagnostics),
+              ElementsAre("4:1 <translate> is missing the attribute z; the unknown attribute w is "
+                          "probably meant to be it: write z=\"3\""));
+  const auto material = [](std::string_view inside) {
+    return messages(read(with_material(inside)).diagnostics);
+  };
+  EXPECT_THAT(
+      material("<diffuse r=\"1\" g=\"1\" blue=\"1\"/>"),
+      ElementsAre(::testing::HasSubstr("missing the attribute b; the unknown attribute blue is "
+                                       "probably meant to be it: write b=\"1\"")));
+  EXPECT_THAT(
+      material("<diffuse green=\"1\" r=\"1\" blue=\"1\" shade=\"0\"/>"),
+      ElementsAre(::testing::HasSubstr("the unknown attribute green"),
+                  ::testing::HasSubstr("the unknown attribute blue"),
+                  ::testing::HasSubstr("unknown attribute shade of <diffuse> has no effect")));
+  EXPECT_THAT(material("<diffuse r=\"1\" s=\"1\"/>"),
+              ElementsAre(::testing::HasSubstr("unknown attribute s of <diffuse> has no effect"),
+                          ::testing::HasSubstr("is missing the attributes g, b")));
+  EXPECT_THAT(
+      messages(read(in_root("<transblock><object kind=\"primitive\" name=\"cube\"/>"
+                            "</transblock><transblock><object type=\"primitive\" "
+                            "shape=\"cube\"/></transblock>"))
+                   .diagnostics),
+      ElementsAre(::testing::HasSubstr("missing the attribute type; the unknown attribute kind"),
+                  ::testing::HasSubstr("missing the attribute name; the unknown attribute "
+                                       "shape")));
   EXPECT_THAT(messages(read(with_transforms("<translate/>")).diagnostics),
               ElementsAre("4:1 <translate> is missing the attributes x, y, z"));
   EXPECT_THAT(messages(read(with_top("<lightdata><id v=\"0\"/><color r=\"1\" g=\"1\" "

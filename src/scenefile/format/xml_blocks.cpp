@@ -549,18 +549,37 @@ std::vector<std::string_view> missing_names(const Found& found) {
   return missing;
 }
 
+// The missing attribute that another one was probably meant to be, by its value; empty if none.
+std::string_view meant_by_value(const Found& found, const XmlAttribute& attribute) {
+  const auto is_value = [&](std::string_view word) {
+    return equal_ignoring_case(attribute.value, word);
+  };
+  if (found.type == nullptr && std::any_of(type_names.begin(), type_names.end(), is_value)) {
+    return "type";
+  }
+  if (found.name == nullptr && std::any_of(shape_words.begin(), shape_words.end(), is_value)) {
+    return "name";
+  }
+  return {};
+}
+
 // Reports other attributes; a misspelled one takes the place of the missing one.
 void settle_others(const XmlContext& context, const XmlTag& tag, Found& found) {
   for (const XmlAttribute* attribute : found.others) {
     const std::string_view near = nearest_name(attribute->name, missing_names(found));
-    if (near.empty()) {
+    const std::string_view meant = near.empty() ? meant_by_value(found, *attribute) : near;
+    if (meant.empty()) {
       report_unknown_attribute(context, tag, *attribute, {});
       continue;
     }
-    context.report(xml_misspelled_attribute, *attribute,
-                   fmt::format("unknown attribute {} of <object>{}", escaped(attribute->name, 40),
-                               did_you_mean(near)));
-    (near == "type" ? found.type : near == "name" ? found.name : found.filename) = attribute;
+    if (near.empty()) {
+      report_meant(context, tag, *attribute, meant);
+    } else {
+      context.report(xml_misspelled_attribute, *attribute,
+                     fmt::format("unknown attribute {} of <object>{}", escaped(attribute->name, 40),
+                                 did_you_mean(near)));
+    }
+    (meant == "type" ? found.type : meant == "name" ? found.name : found.filename) = attribute;
   }
 }
 

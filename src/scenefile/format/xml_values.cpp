@@ -119,9 +119,40 @@ bool is_alpha(const Signature& signature, const XmlAttribute& attribute) {
                      });
 }
 
+std::vector<const XmlAttribute*> unknown_attributes(const XmlTag& tag, const Signature& signature,
+                                                    const Parts& parts) {
+  std::vector<const XmlAttribute*> unknown;
+  for (const XmlAttribute& attribute : tag.attributes) {
+    if (!is_part(parts, attribute) && !is_alpha(signature, attribute)) {
+      unknown.push_back(&attribute);
+    }
+  }
+  return unknown;
+}
+
+// Reports missing parts that attributes of other names were probably meant to be, which then take
+// their places: blue for b, or the only unknown attribute for the only missing part.
+void settle_missing(const XmlContext& context, const XmlTag& tag, const Signature& signature,
+                    Parts& parts) {
+  const std::vector<const XmlAttribute*> unknown = unknown_attributes(tag, signature, parts);
+  for (const XmlAttribute* const attribute : unknown) {
+    const std::vector<std::string_view> missing = missing_names(signature, parts);
+    const bool only = unknown.size() == 1 && missing.size() == 1;
+    const auto part = std::find_if(missing.begin(), missing.end(), [&](std::string_view name) {
+      return only || equal_ignoring_case(attribute->name.substr(0, name.size()), name);
+    });
+    if (part == missing.end() || !nearest_name(attribute->name, missing).empty()) {
+      continue;
+    }
+    report_meant(context, tag, *attribute, *part);
+    parts[index_of_part(signature, *part)] = attribute;
+  }
+}
+
 // Reports attributes that are not parts; a misspelled one takes the place of a missing part.
 void settle_others(const XmlContext& context, const XmlTag& tag, const Signature& signature,
                    Parts& parts) {
+  settle_missing(context, tag, signature, parts);
   for (const XmlAttribute& attribute : tag.attributes) {
     if (is_part(parts, attribute)) {
       continue;
@@ -349,6 +380,15 @@ void report_unknown_attribute(const XmlContext& context, const XmlTag& tag,
       xml_unknown_attribute, attribute,
       fmt::format("unknown attribute {} of {} has no effect{}", escaped(attribute.name, 40),
                   element_text(tag.name), did_you_mean(nearest_name(attribute.name, known))));
+}
+
+void report_meant(const XmlContext& context, const XmlTag& tag, const XmlAttribute& attribute,
+                  std::string_view missing) {
+  context.report(xml_missing_attribute, tag,
+                 fmt::format("{} is missing the attribute {}; the unknown attribute {} is probably "
+                             "meant to be it: write {}=\"{}\"",
+                             element_text(tag.name), missing, escaped(attribute.name, 40), missing,
+                             escaped(attribute.value, 60)));
 }
 
 std::optional<ValueKind> kind_of_element(std::string_view element) {

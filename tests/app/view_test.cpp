@@ -293,7 +293,7 @@ TEST_F(View, ReportsErrors) {
   EXPECT_THAT(view({folder.path("empty")}).err, HasSubstr("no scene in this folder"));
   const ProgramRun run = tour("settle\njump\n");
   EXPECT_EQ(run.status, 2);
-  EXPECT_THAT(run.err, HasSubstr("line 2: \"jump\" is not a step"));
+  EXPECT_THAT(run.err, HasSubstr("line 2: this is not a step"));
   EXPECT_THAT(tour("settle\ncopy none.xml b.xml\n").err, HasSubstr("the script, line 2: none.xml"));
   EXPECT_THAT(view({path, "--frames", "5"}).err, HasSubstr("--frames requires --screenshot"));
   const ProgramRun broken =

@@ -142,6 +142,7 @@ INSTANTIATE_TEST_SUITE_P(
         ConfigCase{
             &config_duplicate_key, good + "shadows = false\n", good + "texture = false\n", {17, 1}},
         ConfigCase{&config_missing_key, replaced("\twidth = 1024\n", ""), good, {0, 0}},
+        ConfigCase{&config_missing_key, "root:x:0:0\n[users]\nsecret = 1\n", good, {0, 0}},
         ConfigCase{&config_value,
                    replaced("width = 1024", "width = 0"),
                    replaced("width = 1024", "width = 1"),

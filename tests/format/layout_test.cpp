@@ -123,19 +123,19 @@ TEST(LayoutXml, TheEncodingStays) {
 
 TEST(LayoutXml, RejectsOtherFiles) {
   EXPECT_THAT(faults("<scenefile>\n<a></scenefile>"), ElementsAre("2:4 error xml.syntax"));
-  EXPECT_THAT(faults("<svg/>"), ElementsAre("1:1 error xml.root-element"));
+  EXPECT_THAT(faults("<svg/>"), ElementsAre("0:0 error xml.root-element"));
   EXPECT_THAT(faults("<scenefile/><b/>"), ElementsAre("1:13 error xml.syntax"));
-  EXPECT_THAT(faults(" "), ElementsAre("1:1 error format.empty"));
-  EXPECT_THAT(faults("scene"), ElementsAre("1:1 error format.unknown"));
+  EXPECT_THAT(faults(" "), ElementsAre("0:0 error format.empty"));
+  EXPECT_THAT(faults("scene"), ElementsAre("0:0 error format.unknown"));
 }
 
 TEST(LayoutJson, OneMemberPerLine) {
   EXPECT_EQ(
       laid_out(
-          R"({"b":[1.50,-2E+3 ,0.0], "a" : {"x":"\u0041 /\/"},"b":[],"c":{ },"d":[[1,2],[{}]]})"),
+          R"({"b":[1.50,-2E+3 ,0.0], "cameraData" : {"x":"\u0041 /\/"},"b":[],"c":{ },"d":[[1,2],[{}]]})"),
       "{\n"
       "  \"b\": [1.50, -2E+3, 0.0],\n"
-      "  \"a\": {\n"
+      "  \"cameraData\": {\n"
       "    \"x\": \"\\u0041 /\\/\"\n"
       "  },\n"
       "  \"b\": [],\n"
@@ -150,8 +150,8 @@ TEST(LayoutJson, OneMemberPerLine) {
 }
 
 TEST(LayoutJson, OneBlankLineStays) {
-  EXPECT_EQ(laid_out("{\n\n\"a\":1,\n\n\n\"b\":[\n\n{}\n\n,{}],\n\"c\":2\n\n}"),
-            "{\n  \"a\": 1,\n\n  \"b\": [\n    {},\n\n    {}\n  ],\n  \"c\": 2\n}\n");
+  EXPECT_EQ(laid_out("{\n\n\"globalData\":1,\n\n\n\"b\":[\n\n{}\n\n,{}],\n\"c\":2\n\n}"),
+            "{\n  \"globalData\": 1,\n\n  \"b\": [\n    {},\n\n    {}\n  ],\n  \"c\": 2\n}\n");
 }
 
 TEST(LayoutJson, LongListsAreBroken) {
@@ -161,13 +161,14 @@ TEST(LayoutJson, LongListsAreBroken) {
     list += ", 10";
     lines += ",\n    10";
   }
-  EXPECT_EQ(laid_out("{\"a\": [" + list + "]}"), "{\n  \"a\": [\n" + lines + "\n  ]\n}\n");
+  EXPECT_EQ(laid_out("{\"groups\": [" + list + "]}"),
+            "{\n  \"groups\": [\n" + lines + "\n  ]\n}\n");
 }
 
 TEST(LayoutJson, RejectsOtherFiles) {
-  EXPECT_THAT(faults("{\"a\": .6}"), ElementsAre("1:7 error json.number"));
-  EXPECT_THAT(faults("{\"a\": 1"), ElementsAre("1:8 error json.truncated"));
-  EXPECT_THAT(faults("[1]"), ElementsAre("1:1 error json.wrong-type"));
+  EXPECT_THAT(faults("{\"groups\": .6}"), ElementsAre("1:12 error json.number"));
+  EXPECT_THAT(faults("{\"groups\": 1"), ElementsAre("1:13 error json.truncated"));
+  EXPECT_THAT(faults("[1]"), ElementsAre("0:0 error json.wrong-type"));
 }
 
 TEST(CountComments, CountsThem) {

@@ -33,9 +33,54 @@ TEST(OtherFiles, AreIdentified) {
   }
 }
 
+// SECURITY.md: findings show nothing of files that are not scenes.
+TEST(OtherFiles, AreNotShown) {
+  const std::pair<std::string_view, std::string_view> files[] = {
+      {"secret:x:0:0\n"sv, "format.unknown"},
+      {"\"secret\": 1"sv, "format.unknown"},
+      {"a <secret> in a letter, and scenefile: not a tag"sv, "format.unknown"},
+      {"// secret"sv, "format.unknown"},
+      {"\x7f\x45LF\x02 secret"sv, "format.unknown"},
+      {"<secret a=\"secret\"><b></secret>"sv, "xml.root-element"},
+      {"<!-- <secret> --><project secret=1/>"sv, "xml.root-element"},
+      {"<!DOCTYPE secret [<!ENTITY secret \"a\">]><secret/>"sv, "xml.root-element"},
+      {"<<<<<<< secret"sv, "xml.root-element"},
+      {"{\"secret\": .5, }"sv, "json.missing-key"},
+      {"{\"groups\": [], \"secret\": 1}"sv, "json.missing-key"},
+      {"{\"kind\": \"cameraData\", \"secret\": 1"sv, "json.missing-key"},
+      {"[secret"sv, "json.wrong-type"},
+      {"<?xml version=\"1.0\" encoding=\"secret\"?><a>\xe4</a>"sv, "format.encoding"},
+      {"\xff\xfes\0e\0c\0r\0e\0t\0!"sv, "format.encoding"},
+      {""sv, "format.empty"},
+      {" \n"sv, "format.empty"}};
+  for (const auto& [text, code] : files) {
+    const Reading reading = read(text);
+    ASSERT_EQ(reading.diagnostics.list().size(), 1u) << text;
+    const Diagnostic& d = reading.diagnostics.list()[0];
+    EXPECT_EQ(d.code->name, code) << text;
+    EXPECT_FALSE(d.location.known()) << text;
+    EXPECT_EQ(d.message.find("secret"), std::string::npos) << d.message;
+    EXPECT_TRUE(reading.scene.incomplete);
+  }
+}
+
+// Broken scenes are explained at their places.
+TEST(OtherFiles, BrokenScenesAreShown) {
+  const std::pair<std::string_view, std::string_view> files[] = {
+      {"<scenfile>\n</scenfile>", "1:1 error xml.root-element"},
+      {"junk <scenefile/>", "1:1 error format.unknown"},
+      {"<globaldata/>", "1:1 error xml.root-element"},
+      {"<scene><transblock/></scene>", "1:1 error xml.root-element"},
+      {"<scenefile", "1:1 error xml.syntax"},
+      {"\"globalData\": {}}", "1:1 error format.unknown"}};
+  for (const auto& [text, what] : files) {
+    EXPECT_EQ(findings(read(text).diagnostics).at(0), what) << text;
+  }
+}
+
 TEST(OtherFiles, ScenesAreAccepted) {
   for (const std::string_view text :
-       {"<scenefile/>", "[]", "{\"v\": 1}", "// v 1 2 3\n{}", "/* [IO] */ {}"}) {
+       {"<scenefile/>", "[]", "{\"v\": 1}", "// v 1 2 3\n{\"groups\": []}", "/* [IO] */ {}"}) {
     const Reading reading = read(text);
     for (const Diagnostic& d : reading.diagnostics.list()) {
       EXPECT_NE(d.code->name, "format.unknown") << text;
@@ -45,14 +90,15 @@ TEST(OtherFiles, ScenesAreAccepted) {
 
 // The reader of the detected syntax reports the comment.
 TEST(OtherFiles, CommentsInFrontAreReportedAsSuch) {
-  for (const std::string_view text : {"// a\n{}", "/* a\n*/ {}", "  // a\r// b\r {}"}) {
+  for (const std::string_view text :
+       {"// a\n{\"groups\": []}", "/* a\n*/ {\"groups\": []}", "  // a\r// b\r {\"groups\": []}"}) {
     const Reading reading = read(text);
     ASSERT_FALSE(reading.diagnostics.list().empty());
     EXPECT_EQ(reading.diagnostics.list()[0].code->name, "json.comment") << text;
   }
   EXPECT_THAT(findings(read("// a\n<scenefile/>").diagnostics),
               ElementsAre("1:1 error xml.syntax"));
-  EXPECT_THAT(findings(read("// a").diagnostics), ElementsAre("1:1 error format.unknown"));
+  EXPECT_THAT(findings(read("// a").diagnostics), ElementsAre("0:0 error format.unknown"));
 }
 
 }  // namespace

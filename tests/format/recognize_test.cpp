@@ -19,7 +19,8 @@ TEST(Recognize, ScenesByContent) {
   for (const std::string_view text :
        {"<scenefile/>"sv, "<?xml version='1.0'?><!-- a --><SceneFile>"sv, "<scene><globaldata/>"sv,
         "<scenefile><a></b>"sv, "<s:scenefile xmlns:s='x'/>"sv, "{\"globalData\": {}}"sv,
-        "{\"name\": \"a\", \"groups\": []}"sv, "// a\n{\"CAMERADATA\": {}, }"sv,
+        "{\"name\": \"a\", \"groups\": []}"sv, "<scenfile>"sv, "<object><transblock/>"sv,
+        "\"cameraData\": {"sv, "// a\n{\"CAMERADATA\": {}, }"sv,
         "{\"x\": [1, {\"y\": \"}\"}], \"templateGroups\":"sv,
         "\xff\xfe<\0s\0c\0e\0n\0e\0"
         "f\0i\0l\0e\0/\0>\0"sv}) {
@@ -32,6 +33,7 @@ TEST(Recognize, FilesOfOtherPrograms) {
        {"<testsuites><testsuite/></testsuites>"sv,
         "<project xmlns='x'><scene/>scenefile</project>"sv,
         "{\"name\": \"tool\", \"scripts\": {\"groups\": 1}}"sv, "[]"sv, "{}"sv,
+        "{\"groups\": [], \"realm\": 1}"sv, "<scenery/>"sv, "<a b='<'/><scene/>"sv,
         "[{\"groups\": []}]"sv, "{\"a\": \"\\\"\", \"b\": \"groups\\\"\"}"sv, "{\""sv}) {
     EXPECT_FALSE(may_be_scene(text)) << text;
   }

@@ -32,6 +32,30 @@ def test_errors_carry_their_diagnostics(tmp_path):
     assert finding.help
 
 
+# SECURITY.md
+def test_files_that_are_not_scenes_are_not_shown(tmp_path):
+    for name, text in [("passwd", "secret:x:0:0\n"), ("pom.xml", "<secret/>\n"),
+                       ("package.json", '{"secret": 1}\n')]:
+        path = tmp_path / name
+        path.write_text(text)
+        link = tmp_path / "scene.xml"
+        link.unlink(missing_ok=True)
+        link.symlink_to(name)
+        for file in (path, link):
+            with pytest.raises(scenefile.SceneError) as raised:
+                scenefile.read(file)
+            report = scenefile.check(file)
+            for shown in (str(raised.value), str(report).rstrip("\n"), repr(report)):
+                assert "secret" not in shown
+                assert "\n" not in shown
+            assert str(raised.value).startswith(f"{file}: error: ")
+            (finding,) = raised.value.diagnostics
+            assert "secret" not in finding.message
+        with pytest.raises(scenefile.SceneError) as raised:
+            scenefile.read_text(text)
+        assert "secret" not in str(raised.value)
+
+
 def test_a_missing_file_is_an_os_error():
     with pytest.raises(OSError, match="no-such-scene.xml"):
         scenefile.read("no-such-scene.xml")

@@ -10,7 +10,7 @@ export function isXml(text) {
 /** Whether the text contains a name of the scene format, unlike XML and JSON files of other programs. */
 export function mayBeScene(text) {
   return isXml(text)
-    ? /<(?:scenefile|globaldata|cameradata|lightdata)\b/i.test(text)
+    ? /<(?:scenefile|globaldata|cameradata|lightdata|transblock)\b/i.test(text)
     : /"(?:globalData|cameraData|groups|templateGroups)"/.test(text);
 }
 

@@ -89,6 +89,22 @@ bool is_binary(std::string_view word) {
   return false;
 }
 
+// Whether some line is a vertex, as in any mesh. Otherwise the file may be anything, and findings
+// quote no word of it.
+bool has_vertex(std::string_view text) {
+  constexpr std::string_view numbers = "0123456789+-.";
+  for (std::size_t at = 0; at < text.size(); at = text.find_first_of("\r\n", at)) {
+    at = std::min(text.find_first_not_of(" \t\r\n", at), text.size());
+    const std::string_view line = text.substr(at, 80);
+    const std::size_t number = line.find_first_not_of(" \t", 1);
+    if (line.starts_with('v') && number > 1 && number != std::string_view::npos &&
+        numbers.find(line[number]) != std::string_view::npos) {
+      return true;
+    }
+  }
+  return false;
+}
+
 // Keeps only the triangles for which `keep` is true.
 template <typename Keep>
 void keep_triangles(Mesh& mesh, Keep keep) {
@@ -131,6 +147,7 @@ class ObjReader {
             Diagnostics& diagnostics)
       : words_(text),
         counts_(count_elements(text)),
+        may_quote_(has_vertex(text)),
         file_name_(file_name),
         limits_(limits),
         diagnostics_(diagnostics) {}
@@ -218,7 +235,7 @@ class ObjReader {
     const char* what =
         error == NumberError::out_of_range ? "is too large for a number" : "is not a finite number";
     report(mesh_number, words_.location(word),
-           fmt::format("{} in {} {}", quoted(word), keyword, what));
+           fmt::format("{} in {} {}", may_quote_ ? quoted(word) : "a word", keyword, what));
   }
 
   void read_normal(std::string_view keyword) {
@@ -264,7 +281,8 @@ class ObjReader {
     };
     const Result<Corner> corner = parse_corner(word, lists);
     if (!corner) {
-      report(mesh_index, words_.location(word), corner.error().text);
+      report(mesh_index, words_.location(word),
+             may_quote_ ? corner.error().text : "this is not a corner of a face");
       return {};
     }
     return *corner;
@@ -306,7 +324,7 @@ class ObjReader {
       }
       const std::string_view meant = nearest_name(keyword, known);
       report(mesh_unknown_keyword, location,
-             fmt::format("unknown keyword {} is skipped{}", quoted(keyword),
+             fmt::format("unknown keyword{} is skipped{}", may_quote_ ? " " + quoted(keyword) : "",
                          meant.empty() ? "" : fmt::format("; did you mean {}?", meant)));
     }
   }
@@ -348,6 +366,7 @@ class ObjReader {
 
   ObjWords words_;
   Counts counts_;
+  bool may_quote_;
   const std::string& file_name_;
   const Limits& limits_;
   Diagnostics& diagnostics_;

@@ -58,7 +58,7 @@ class CameraReader {
     if (fault.fault != JsonFault::none) {
       return error_at(fault.offset, "the text is not JSON from here on");
     }
-    if (!tape_.is_object(0)) {
+    if (!tape_.is_object(0) || !has_views()) {
       return error(0, "expected an object with the key \"views\"");
     }
     const bool good = for_each_member(0, [&](const std::string& key, JsonIndex k, JsonIndex value) {
@@ -80,6 +80,15 @@ class CameraReader {
   }
 
  private:
+  // Messages quote other keys only then: otherwise the file is none of cameras.
+  bool has_views() const {
+    JsonIndex key = 1;
+    while (key < tape_.end(0) && tape_.string(key) != "views") {
+      key = tape_.end(key + 1);
+    }
+    return key < tape_.end(0);
+  }
+
   Error error_at(std::size_t offset, std::string_view what) {
     const Location place = TextPlaces(text_).at(offset);
     return {fmt::format("{}:{}: {}", place.line, place.column, what), ErrorKind::input};

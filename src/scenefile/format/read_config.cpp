@@ -132,13 +132,33 @@ void report_unknown(const IniEntry& entry, const std::string& name, Diagnostics&
                   nearest.empty() ? "" : fmt::format("; did you mean {}?", shown(nearest))));
 }
 
+// Whether a key or section is one of a configuration. Only then do findings show the text.
+bool is_of_config(const IniEntry& entry) {
+  const std::string name = lower_case(name_of(entry));
+  return std::any_of(keys.begin(), keys.end(), [&](const Key& key) {
+    const std::string known = lower_case(key.name);
+    return name.substr(0, name.find('/')) == known.substr(0, known.find('/'));
+  });
+}
+
 }  // namespace
 
 CourseConfig read_config(std::string_view text, const Limits& limits, Diagnostics& diagnostics) {
   CourseConfig config;
   const ConfigReader reader{config, limits, diagnostics};
   std::array<bool, keys.size()> given{};
-  for (const IniEntry& entry : read_ini(text, diagnostics)) {
+  Diagnostics found;
+  const std::vector<IniEntry> entries = read_ini(text, found);
+  if (std::none_of(entries.begin(), entries.end(), is_of_config)) {
+    diagnostics.report(config_missing_key, {},
+                       "not a configuration: it has no key in a section [IO], [Canvas], [Feature] "
+                       "or [Settings]");
+    return config;
+  }
+  for (const Diagnostic& d : found.list()) {
+    diagnostics.add(d);
+  }
+  for (const IniEntry& entry : entries) {
     const std::string name = name_of(entry);
     const auto key = std::find_if(keys.begin(), keys.end(), [&](const Key& k) {
       return lower_case(k.name) == lower_case(name);

@@ -3,12 +3,14 @@
 #include "scenefile/base/ascii.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
+#include "scenefile/format/recognize.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 
 namespace scenefile {
 
@@ -119,8 +121,11 @@ std::optional<std::string_view> decode_declared(std::string_view bytes, const st
                                    quoted(name)));
     return bytes;
   }
-  report_encoding(diagnostics, fmt::format("the encoding {} is not known; save the file as UTF-8",
-                                           quoted(name)));
+  report_encoding(
+      diagnostics,
+      has_scene_parts(bytes)
+          ? fmt::format("the encoding {} is not known; save the file as UTF-8", quoted(name))
+          : "the encoding in the XML declaration is not known");
   return std::nullopt;
 }
 
@@ -232,15 +237,42 @@ char first_character(std::string_view text) {
   return '\0';
 }
 
+// Reports that a file is not a scene, in one line that shows nothing of its contents. `found`: what
+// decoding it reported.
+void report_other(std::string_view text, const Diagnostics& found, Diagnostics& diagnostics) {
+  const std::size_t first = text.find_first_not_of(blanks);
+  const auto report = [&](const Code& code, std::string message) {
+    diagnostics.report(code, {}, std::move(message));
+  };
+  if (first == std::string_view::npos) {
+    return report(format_empty,
+                  text.empty() ? "the file is empty" : "the file contains only white space");
+  }
+  const std::string_view content = text.substr(first);
+  if (const std::string_view other = other_file(content); !other.empty()) {
+    return report(format_unknown, fmt::format("the file is {}", other));
+  }
+  if (found.has_errors()) {
+    return report(format_encoding, found.list().back().message);
+  }
+  const char start = first_character(content);
+  if (start == '<') {
+    return report(xml_root_element,
+                  "the file is XML but not a scene: a scene is one element <scenefile>");
+  }
+  if (start == '{' || start == '[') {
+    return report(start == '{' ? json_missing_key : json_wrong_type,
+                  "the file is JSON but not a scene: a scene is one object with the keys "
+                  "\"globalData\", \"cameraData\" and \"groups\"");
+  }
+  report(format_unknown,
+         "not a scene file: a scene is XML with the element <scenefile>, or a JSON object");
+}
+
 // Decides by the first character that is not part of white space or a C comment. Otherwise reports
 // an error that says what the file may be.
 std::optional<SceneFormat> syntax_of(std::string_view text, Diagnostics& diagnostics) {
   const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) {
-    diagnostics.report(format_empty, {1, 1},
-                       text.empty() ? "the file is empty" : "the file contains only white space");
-    return std::nullopt;
-  }
   const std::string_view content = text.substr(first);
   if (const std::string_view other = other_file(content); !other.empty()) {
     diagnostics.report(format_unknown, after_blanks(text, first),
@@ -264,8 +296,8 @@ std::optional<SceneFormat> syntax_of(std::string_view text, Diagnostics& diagnos
     return std::nullopt;
   }
   diagnostics.report(format_unknown, after_blanks(text, first),
-                     fmt::format("the file starts with {}, so it is not a scene file: an XML scene "
-                                 "starts with <, a JSON scene is an object and starts with {{",
+                     fmt::format("the file starts with {}; remove what is in front of the scene, "
+                                 "which starts with < (XML) or {{ (JSON)",
                                  quoted(content.substr(0, 40), 10)));
   return std::nullopt;
 }
@@ -312,7 +344,15 @@ std::optional<std::string_view> decode_text(std::string_view bytes, std::string&
 
 std::optional<SceneText> open_text(std::string_view bytes, std::string& storage,
                                    Diagnostics& diagnostics) {
-  const std::optional<std::string_view> text = decode_text(bytes, storage, diagnostics);
+  Diagnostics found;
+  const std::optional<std::string_view> text = decode_text(bytes, storage, found);
+  if (!has_scene_parts(text.value_or(bytes))) {
+    report_other(text.value_or(bytes), found, diagnostics);
+    return std::nullopt;
+  }
+  for (const Diagnostic& d : found.list()) {
+    diagnostics.add(d);
+  }
   const std::optional<SceneFormat> syntax = text ? syntax_of(*text, diagnostics) : std::nullopt;
   return syntax ? std::optional(SceneText{*text, *syntax}) : std::nullopt;
 }

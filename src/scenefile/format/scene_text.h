@@ -19,7 +19,8 @@ struct SceneText {
 /// The text of a file: a part of `bytes` if it is UTF-8 already, otherwise a copy in `storage`. The
 /// first character that is not part of white space or a C comment decides the syntax: `<` is XML,
 /// `{` or `[` is JSON. Returns nullopt, after an error that says what the file may be, for anything
-/// else.
+/// else. If the text has no parts of a scene (has_scene_parts()), the error has no place and shows
+/// nothing of the text.
 std::optional<SceneText> open_text(std::string_view bytes, std::string& storage,
                                    Diagnostics& diagnostics);
 

@@ -16,6 +16,12 @@ bool is_limit(const Diagnostic& d) {
          d.code->kind == CodeKind::limit;
 }
 
+// Whether the only finding is an error about the whole file, such as that it is not a scene.
+bool is_verdict(const std::vector<Diagnostic>& list) {
+  return list.size() == 1 && list[0].severity == Severity::error && list[0].file.empty() &&
+         !list[0].location.known();
+}
+
 bool contains(const std::vector<std::string>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -105,7 +111,8 @@ std::string findings_text(const LoadedScene& scene, Verbosity verbosity, bool co
   const ReportStyle style{.color = color, .excerpt = true, .notes = verbosity == Verbosity::all};
   std::string text = report_text(shown, name, scene.text, style);
   const bool any = shown.count(Severity::error) + shown.count(Severity::warning) != 0;
-  if (verbosity == Verbosity::all || (any && verbosity == Verbosity::warnings)) {
+  if (!is_verdict(shown.list()) &&
+      (verbosity == Verbosity::all || (any && verbosity == Verbosity::warnings))) {
     text += verdict_text(shown, name) + "\n";
   }
   if (const auto& list = shown.list(); std::any_of(list.begin(), list.end(), is_limit)) {

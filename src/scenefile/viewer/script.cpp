@@ -194,7 +194,7 @@ Script parse_script(std::string_view text) {
       continue;
     }
     if (!parser.parse(line, number)) {
-      return {{}, fmt::format("line {}: {} is not a step", number, quoted(line.substr(first)))};
+      return {{}, fmt::format("line {}: this is not a step", number)};
     }
   }
   return {std::move(parser.steps), {}};

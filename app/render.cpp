@@ -127,7 +127,7 @@ std::string work_text(const RenderReport& report) {
 }
 
 // The requested part of the picture that OpenGL drew, or the whole picture.
-Outcome write_drawn(const Options& options, Image drawn, DividedPicture* picture,
+Outcome write_drawn(const Options& options, const Image& drawn, DividedPicture* picture,
                     const RenderReport& report, Context& context) {
   if (picture == nullptr) {
     return write_8bit_picture(options, drawn, context);
@@ -203,9 +203,8 @@ ExitCode run_render(const Options& given, Context& context) {
                       wants_color(Stream::chatter)));
   }
   if (wanted && outcome.status == ExitCode::fine) {
-    outcome = options.engine == Engine::gl
-                  ? write_drawn(options, std::move(drawn), picture, report, context)
-                  : draw(options, scene, picture, report, context);
+    outcome = options.engine == Engine::gl ? write_drawn(options, drawn, picture, report, context)
+                                           : draw(options, scene, picture, report, context);
   } else if (outcome.status != ExitCode::fine && outcome.error.empty()) {
     outcome.error = "the scene cannot be used";
   }

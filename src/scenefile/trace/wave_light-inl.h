@@ -150,7 +150,8 @@ struct LightSamples {
       return {splat(0.5), splat(0.5)};
     }
     if (grid) {
-      return {splat((i % side + 0.5) / side), splat((i / side + 0.5) / side)};
+      const std::uint32_t row = i / side;
+      return {splat((i % side + 0.5) / side), splat((row + 0.5) / side)};
     }
     alignas(64) double u[lanes];
     alignas(64) double v[lanes];

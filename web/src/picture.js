@@ -54,7 +54,7 @@ export class Picture {
 
   constructor(canvas, count, told) {
     this.#canvas = canvas;
-    this.#told = told; // progress, drawn, failed, compared, moved
+    this.#told = told; // progress, drawn (and painted), failed, compared, moved
     this.#engines = Array.from({ length: count }, () => new Engine());
     this.#resize();
   }
@@ -196,6 +196,7 @@ export class Picture {
         }
         const { data } = this.#ours.getContext('2d').getImageData(0, 0, width, height);
         this.pixels = new Uint8Array(data.buffer);
+        this.#paintNow();
         this.#told.drawn((performance.now() - start) / 1000, drawn);
         await this.#compare(job);
         return;
@@ -213,7 +214,7 @@ export class Picture {
         return;
       }
       this.pixels = pixels;
-      this.paint();
+      this.#paintNow();
       this.#told.drawn((performance.now() - start) / 1000);
       await this.#compare(job);
     } catch (error) {
@@ -472,8 +473,8 @@ export class Picture {
     );
     if (job === this.#job) {
       this.#maps = { difference: found.heat, flip: found.flip };
+      this.#paintNow();
       this.#told.compared(found);
-      this.paint();
     }
   }
 

@@ -242,7 +242,7 @@ format: ## format all sources with clang-format
 format-check: ## fail if "make format" would change a source
 	@scripts/install-deps format
 	@clang-format-14 --dry-run --Werror $(SOURCES)
-# In unity builds, a header is read once for many sources: this takes a fifth of the time.
+# Unity builds read a header once for many sources.
 tidy: ## check the sources with clang-tidy; ROOM=format: only of this room
 	@scripts/install-deps core tests format
 	$(call quietly,cmake --preset tidy)

@@ -19,8 +19,8 @@ struct Told {
 Told events_of(std::string_view text, const Limits& limits);
 
 /// Whether our reader gives the same events at the same places as Expat and finds an error where
-/// Expat does; up to the first mistake that our reader repairs, limit, malformed comment or declaration of an entity, which only our
-/// reader reports. An element called "stop" stops both.
+/// Expat does; up to the first mistake that our reader repairs, limit, malformed comment or
+/// declaration of an entity, which only our reader reports. An element called "stop" stops both.
 bool agrees_with_expat(std::string_view text, const Limits& limits);
 
 }  // namespace scenefile::testing

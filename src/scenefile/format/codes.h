@@ -33,7 +33,8 @@ inline constexpr Code format_encoding_assumed{
 inline constexpr Code xml_syntax{
     "xml.syntax", Severity::error, "the file is not well-formed XML",
     "Tags must be closed in the order they were opened, values must be in quotes, & and < are "
-    "written &amp; and &lt;. After a value without quotes or an end tag in the wrong case, the rest "
+    "written &amp; and &lt;. After a value without quotes or an end tag in the wrong case, the "
+    "rest "
     "of the file was read; after any other of these mistakes, nothing was."};
 inline constexpr Code xml_comment{
     "xml.comment",

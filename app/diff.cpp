@@ -53,19 +53,22 @@ ExitCode diff_scenes(const Options& options, Context& context) {
 std::string heading(const LoadedPicture& a, const LoadedPicture& b) {
   const std::string names = fmt::format("{} and {}", escaped(shown_name(a.path), 4096),
                                         escaped(shown_name(b.path), 4096));
-  const Texture& p = a.picture;
-  const Texture& q = b.picture;
+  const Texture& p = a.picture.texture;
+  const Texture& q = b.picture.texture;
   return p.width == q.width && p.height == q.height
              ? fmt::format("{}: {}x{}", names, p.width, p.height)
              : fmt::format("{}: {}x{} and {}x{}", names, p.width, p.height, q.width, q.height);
 }
 
-std::string jpeg_text(const LoadedPicture& a, const LoadedPicture& b) {
+std::string remarks_text(const LoadedPicture& a, const LoadedPicture& b) {
   std::string text;
   for (const LoadedPicture* loaded : {&a, &b}) {
-    if (loaded->jpeg) {
-      text += fmt::format("  {} is a JPEG, which changes colors: compare PNGs\n",
-                          escaped(shown_name(loaded->path), 4096));
+    const std::string name = escaped(shown_name(loaded->path), 4096);
+    if (loaded->picture.jpeg) {
+      text += fmt::format("  {} is a JPEG, which changes colors: compare PNGs\n", name);
+    }
+    if (loaded->picture.not_finite > 0) {
+      text += fmt::format("  {}: {}\n", name, not_finite_text(loaded->picture));
     }
   }
   return text;
@@ -76,11 +79,12 @@ std::string measures_text(const PictureMeasures& m, int threshold) {
     return {};
   }
   return fmt::format(
-      "  PSNR {:.2f} dB, mean difference {:.3f}/255, maximum {}/255\n"
+      "{}  PSNR {:.2f} dB, mean difference {:.3f}/255, maximum {:.6g}/255\n"
       "  {:.3f} % of the pixels are off by more than {}/255\n"
-      "  SSIM {:.4f}, FLIP {:.4f} (maximum {:.4f})\n",
-      m.difference.psnr_db, m.difference.mean, m.difference.max, 100 * m.difference.share_over,
-      threshold, m.ssim, m.flip_mean, m.flip_max);
+      "{}  SSIM {:.4f}, FLIP {:.4f} (maximum {:.4f})\n",
+      m.linear ? "  linear values:\n" : "", m.difference.psnr_db, m.difference.mean,
+      m.difference.max, 100 * m.difference.share_over, threshold,
+      m.linear ? "  as 8-bit pictures:\n" : "", m.ssim, m.flip_mean, m.flip_max);
 }
 
 // The options of diff that explain needs to draw the same picture.
@@ -140,9 +144,10 @@ std::string json_text(const LoadedPicture& a, const LoadedPicture& b, const Load
     json.begin_object(key);
     json.add("file", loaded->path);
     if (loaded->error.empty()) {
-      json.add("width", loaded->picture.width);
-      json.add("height", loaded->picture.height);
-      json.add("jpeg", loaded->jpeg);
+      json.add("width", loaded->picture.texture.width);
+      json.add("height", loaded->picture.texture.height);
+      json.add("jpeg", loaded->picture.jpeg);
+      json.add("not_finite", loaded->picture.not_finite);
     } else {
       json.add("error", loaded->error);
     }
@@ -201,7 +206,7 @@ PictureComparison compare(const LoadedPicture& a, const LoadedPicture& b, const 
   context.phase = "comparing the pictures";
   ProgressBar bar(!options.quiet && !options.json && wants_progress());
   CompareSettings settings = compare_settings(options);
-  settings.lossy = a.jpeg || b.jpeg;
+  settings.lossy = a.picture.jpeg || b.picture.jpeg;
   settings.ways = folder_first(a.path, std::move(settings.ways));
   return compare_pictures(a.picture, b.picture, scene, settings, [&](double done) {
     bar.update(done);
@@ -214,8 +219,8 @@ ExitCode diff_images(const Options& options, Context& context) {
   if (const ExitCode status = check_diff_outputs(options); status != ExitCode::fine) {
     return status;
   }
-  LoadedPicture a = load_picture(options.arguments[0], context);
-  LoadedPicture b = load_picture(options.arguments[1], context);
+  LoadedPicture a = load_picture(options.arguments[0], options.layer, context);
+  LoadedPicture b = load_picture(options.arguments[1], options.layer, context);
   report_scene_input(a, b);
   report_scene_input(b, a);
   if (const ExitCode status = worse(a.status, b.status); status != ExitCode::fine) {
@@ -233,18 +238,19 @@ ExitCode diff_images(const Options& options, Context& context) {
       return options.json ? worse(status, answer(json_text(a, b, &*scene, nullptr))) : status;
     }
   }
+  round_alike(a.picture, b.picture);
   const LoadedScene* const shown = scene ? &*scene : nullptr;
   const PictureComparison found = compare(a, b, shown, options, context);
   // Prepares the output before writing files, so that nothing can fail afterwards.
   const std::string text = options.json ? json_text(a, b, shown, &found)
                            : options.quiet
                                ? std::string()
-                               : heading(a, b) + "\n" + jpeg_text(a, b) +
+                               : heading(a, b) + "\n" + remarks_text(a, b) +
                                      measures_text(found.measures, options.pixel_threshold) +
                                      for_terminal(verdict_text(found, options));
   ExitCode status = found.broken.empty() ? ExitCode::fine : ExitCode::findings;
-  status = worse(status, write_maps(options, found.reference_of(a.picture),
-                                    found.test_of(b.picture), found, context));
+  status = worse(status, write_maps(options, found.reference_of(a.picture.texture),
+                                    found.test_of(b.picture.texture), found, context));
   return text.empty() ? status : worse(status, answer(text));
 }
 

@@ -18,12 +18,12 @@ ExitCode load_mine(Options& options, LoadedPicture& mine, Context& context) {
   if (options.mine.empty()) {
     return ExitCode::fine;
   }
-  mine = load_picture(options.mine, context);
+  mine = load_picture(options.mine, options.layer, context);
   if (!mine.error.empty()) {
     say_error(mine.error);
     return mine.status;
   }
-  const Texture& picture = mine.picture;
+  const Texture& picture = mine.picture.texture;
   if (!was_given(options, "--size")) {
     options.render.width = picture.width;
     options.render.height = picture.height;
@@ -80,7 +80,7 @@ ExitCode run_explain(const Options& given, Context& context) {
     return outcome.status;
   }
   if (!options.mine.empty()) {
-    const std::uint8_t* const v = mine.picture.texel(options.pixel->x, options.pixel->y);
+    const std::uint8_t* const v = mine.picture.texture.texel(options.pixel->x, options.pixel->y);
     add_yours(scene, {v[0], v[1], v[2]}, *report);
   }
   if (options.json) {

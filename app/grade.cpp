@@ -57,6 +57,7 @@ std::uint64_t options_of_grading(const Options& options, std::span<const NamePai
                                  number(difference), number(share), number(ssim), number(flip));
   Hash hash;
   hash.add(text);
+  hash.add(options.layer);
   for (const NamePair& pair : map) {
     hash.add(pair.handed_in);
     hash.add(pair.reference);
@@ -194,6 +195,7 @@ ExitCode run_grade(const Options& options, Context& context) {
       .references = options.references,
       .scenes = options.scenes,
       .compare = compare_settings(options),
+      .layer = options.layer,
       // merge may need them.
       .thumbnails = options.part.has_value() || !options.report.empty() || !options.pages.empty(),
       .map = *std::move(map)};

@@ -12,14 +12,13 @@
 
 namespace scenefile::app {
 
-LoadedPicture load_picture(const std::string& path, Context& context) {
+LoadedPicture load_picture(const std::string& path, const std::string& layer, Context& context) {
   context.phase = "reading a picture";
   LoadedPicture loaded;
   loaded.path = path;
-  Result<Texture> picture = load_picture_file(path);
+  Result<DecodedPicture> picture = load_picture_file(path, layer);
   if (picture) {
     loaded.picture = *std::move(picture);
-    loaded.jpeg = path != "-" && !path.starts_with("/dev/") && is_jpeg_file(path);
   } else {
     loaded.error = picture.error().text;
     loaded.status = exit_code(picture.error().kind);
@@ -66,7 +65,13 @@ bool is_picture_file(const std::string& path) {
     return false;
   }
   const Result<std::string> bytes = read_file(path, Limits{}.file_bytes);
-  return bytes && is_image(*bytes);
+  if (!bytes) {
+    return is_picture_name(path);
+  }
+  const std::size_t start = bytes->find_first_not_of(" \t\r\n");
+  const bool markup =
+      start != std::string::npos && ((*bytes)[start] == '<' || (*bytes)[start] == '{');
+  return is_image(*bytes) || (is_picture_name(path) && !markup);
 }
 
 ExitCode save_picture(const std::string& path, const Texture& picture, Context& context) {

@@ -415,6 +415,8 @@ constexpr std::array option_rows{
               "Your picture of the scene: compare its value with ours, and find the mistake in our "
               "terms that gives it.",
               for_explain, set_name<&Options::mine>},
+    OptionRow{"--layer", "", "NAME", "The layer to read of EXR pictures that have several.",
+              for_pictures | for_explain | for_view, set_name<&Options::layer>},
     OptionRow{
         "--sample", "", "N",
         "Show sample N of the pixel in full, counted from 0 (default: the one nearest to its "
@@ -534,7 +536,7 @@ constexpr std::array option_rows{
     OptionRow{"--max-difference", "", "N",
               "Pictures differ if any value is off by more than this, in 1/255.", for_pictures,
               [](Options& o, const std::string& v) {
-                return set_number(v, 0, 255, o.thresholds.max_difference);
+                return set_number(v, 0.0, 255.0, o.thresholds.max_difference);
               }},
     OptionRow{"--max-share", "", "PERCENT",
               "Pictures differ when more of the pixels are off by more than --pixel-threshold.",

@@ -78,6 +78,7 @@ struct Options {
   std::optional<PixelPlace> pixel;
   std::optional<std::uint32_t> sample;  ///< the sample to describe in full
   std::string mine;                     ///< the picture of another program, to explain its value
+  std::string layer;                    ///< of EXR files with layers that are read
 
   std::string scene;  ///< the scene of the reference picture
   std::string heatmap;

@@ -96,6 +96,7 @@ viewer::WindowOptions window_options(const Options& options, viewer::Script scri
   window.setup.explain_pixel = explain_for_view;
   window.setup.find_cause = cause_for_view;
   window.setup.realtime = realtime_options(options);
+  window.setup.layer = options.layer;
   window.scene = options.arguments.empty() ? "" : options.arguments.front();
   window.reference = options.arguments.size() > 1 ? options.arguments[1] : "";
   if (script.steps.empty()) {

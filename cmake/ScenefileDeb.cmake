@@ -98,7 +98,7 @@ computer graphics courses as plain data, readers and writers of XML and JSON,
 diagnostics with their places, and a ray tracer. For CMake (find_package) and
 pkg-config."
   SECTION libdevel
-  DEPENDS libglm-dev libfmt-dev libexpat1-dev libpng-dev libjpeg-dev zlib1g-dev libisal-dev libtbb-dev libembree-dev)
+  DEPENDS libglm-dev libfmt-dev libexpat1-dev libpng-dev libjpeg-dev zlib1g-dev libisal-dev libopenexr-dev libtbb-dev libembree-dev)
 
 if(TARGET scenefile_python)
   foreach(part MAJOR MINOR)

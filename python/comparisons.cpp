@@ -23,8 +23,8 @@ namespace scenefile::python {
 namespace {
 
 struct Comparison {
-  Texture reference;
-  Texture test;
+  DecodedPicture reference;
+  DecodedPicture test;
   PictureComparison found;
 };
 
@@ -34,7 +34,7 @@ struct Differences {
 };
 
 CompareSettings settings_of(std::optional<double> min_psnr, std::optional<double> max_mean,
-                            std::optional<int> max_difference, std::optional<double> max_share,
+                            std::optional<double> max_difference, std::optional<double> max_share,
                             std::optional<double> min_ssim, std::optional<double> max_flip,
                             int pixel_threshold, const py::dict& options) {
   std::vector<RenderOptions> profiles;
@@ -80,10 +80,12 @@ std::shared_ptr<const LoadedScene> shown_scene(const py::object& scene) {
 
 Comparison compare(const py::object& reference, const py::object& picture, const py::object& scene,
                    std::optional<double> min_psnr, std::optional<double> max_mean,
-                   std::optional<int> max_difference, std::optional<double> max_share,
+                   std::optional<double> max_difference, std::optional<double> max_share,
                    std::optional<double> min_ssim, std::optional<double> max_flip,
-                   int pixel_threshold, const py::object& progress, const py::kwargs& given) {
-  Comparison comparison{texture_of(reference), texture_of(picture), {}};
+                   int pixel_threshold, const std::string& layer, const py::object& progress,
+                   const py::kwargs& given) {
+  Comparison comparison{picture_of(reference, layer), picture_of(picture, layer), {}};
+  round_alike(comparison.reference, comparison.test);
   const CompareSettings settings = settings_of(min_psnr, max_mean, max_difference, max_share,
                                                min_ssim, max_flip, pixel_threshold, given);
   const std::shared_ptr<const LoadedScene> shown = shown_scene(scene);
@@ -113,15 +115,16 @@ Differences diff(const py::object& a, const py::object& b) {
 
 Gradebook grade(const FilePath& handed_in, const FilePath& references,
                 const std::optional<FilePath>& scenes, std::optional<double> min_psnr,
-                std::optional<double> max_mean, std::optional<int> max_difference,
+                std::optional<double> max_mean, std::optional<double> max_difference,
                 std::optional<double> max_share, std::optional<double> min_ssim,
-                std::optional<double> max_flip, int pixel_threshold, const py::object& progress,
-                const py::kwargs& given) {
+                std::optional<double> max_flip, int pixel_threshold, const std::string& layer,
+                const py::object& progress, const py::kwargs& given) {
   const GradeRequest request{.handed_in = handed_in.text,
                              .references = references.text,
                              .scenes = scenes ? scenes->text : std::string(),
                              .compare = settings_of(min_psnr, max_mean, max_difference, max_share,
                                                     min_ssim, max_flip, pixel_threshold, given),
+                             .layer = layer,
                              .thumbnails = true};
   const auto load_scene = [](const std::string& path) {
     LoadSettings settings;
@@ -154,6 +157,7 @@ void bind_measures(Class& c, Get get) {
       .def_property_readonly("max", [get](const Owner& o) { return get(o).difference.max; })
       .def_property_readonly("share_over",
                              [get](const Owner& o) { return get(o).difference.share_over; })
+      .def_property_readonly("linear", [get](const Owner& o) { return get(o).linear; })
       .def_property_readonly("ssim", [get](const Owner& o) { return get(o).ssim; })
       .def_property_readonly("flip", [get](const Owner& o) { return get(o).flip_mean; })
       .def_property_readonly("same_size", [get](const Owner& o) { return get(o).same_size; });
@@ -216,8 +220,8 @@ std::string text_of(const Comparison& c) {
 }
 
 py::bytes sheet_of(const Comparison& c) {
-  const Texture& reference = c.found.reference_of(c.reference);
-  const Texture& test = c.found.test_of(c.test);
+  const Texture& reference = c.found.reference_of(c.reference.texture);
+  const Texture& test = c.found.test_of(c.test.texture);
   const Texture heat = heat_map(reference, test);
   const std::array<const Texture*, 3> pictures{&reference, &test, &heat};
   return png_of(side_by_side(pictures));
@@ -268,7 +272,7 @@ void bind_comparisons(py::module_& m) {
                              [](const Comparison& c) {
                                const std::vector<float>& errors = c.found.flip_errors;
                                const bool any = !errors.empty();
-                               const Texture& compared = c.found.test_of(c.test);
+                               const Texture& compared = c.found.test_of(c.test.texture);
                                return py::array_t<float>(
                                    {any ? compared.height : 0, any ? compared.width : 0},
                                    errors.data());
@@ -308,13 +312,13 @@ void bind_comparisons(py::module_& m) {
         py::arg("min_psnr") = py::none(), py::arg("max_mean") = py::none(),
         py::arg("max_difference") = py::none(), py::arg("max_share") = py::none(),
         py::arg("min_ssim") = py::none(), py::arg("max_flip") = py::none(),
-        py::arg("pixel_threshold") = 8, py::arg("progress") = py::none());
+        py::arg("pixel_threshold") = 8, py::arg("layer") = "", py::arg("progress") = py::none());
   m.def("grade", &grade, "Compares the pictures of a class with the references.",
         py::arg("handed_in"), py::arg("references"), py::arg("scenes") = py::none(), py::kw_only(),
         py::arg("min_psnr") = py::none(), py::arg("max_mean") = py::none(),
         py::arg("max_difference") = py::none(), py::arg("max_share") = py::none(),
         py::arg("min_ssim") = py::none(), py::arg("max_flip") = py::none(),
-        py::arg("pixel_threshold") = 8, py::arg("progress") = py::none());
+        py::arg("pixel_threshold") = 8, py::arg("layer") = "", py::arg("progress") = py::none());
 }
 
 }  // namespace scenefile::python

@@ -203,23 +203,23 @@ Texture texture_of_values(const py::array_t<T, py::array::c_style | py::array::f
 
 }  // namespace
 
-Texture texture_of(const py::handle& picture) {
+DecodedPicture picture_of(const py::handle& picture, const std::string& layer) {
   if (py::isinstance<Picture>(picture)) {
     const auto& p = picture.cast<const Picture&>();
-    return quantize(p.result.image, rounding_of(p.options.profile));
+    return {.texture = quantize(p.result.image, rounding_of(p.options.profile))};
   }
   if (py::isinstance<py::array>(picture)) {
     const auto array = py::reinterpret_borrow<py::array>(picture);
     switch (array.dtype().kind()) {
       case 'u':
         if (array.dtype().itemsize() == 1) {
-          return texture_of_values(
-              py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>(array));
+          return {.texture = texture_of_values(
+                      py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>(array))};
         }
         break;
       case 'f':
-        return texture_of_values(
-            py::array_t<float, py::array::c_style | py::array::forcecast>(array));
+        return {.texture = texture_of_values(
+                    py::array_t<float, py::array::c_style | py::array::forcecast>(array))};
       default:
         break;
     }
@@ -231,10 +231,10 @@ Texture texture_of(const py::handle& picture) {
   } catch (const py::cast_error&) {
     throw py::type_error("a picture must be a file name, an array, or a Picture");
   }
-  std::optional<Result<Texture>> loaded;
+  std::optional<Result<DecodedPicture>> loaded;
   {
     const py::gil_scoped_release release;
-    loaded = load_picture_file(path.text);
+    loaded = load_picture_file(path.text, layer);
   }
   if (!*loaded) {
     raise_error(loaded->error());
@@ -299,8 +299,12 @@ void bind_pictures(py::module_& m) {
       .def("_repr_png_", &preview);
 
   m.def(
-      "read_picture", [](const FilePath& path) { return array_of(texture_of(py::cast(path))); },
-      "The picture in a file: height x width x 3 bytes.", py::arg("path"));
+      "read_picture",
+      [](const FilePath& path, const std::string& layer) {
+        return array_of(picture_of(py::cast(path), layer).texture);
+      },
+      "The picture in a file: height x width x 3 bytes.", py::arg("path"), py::kw_only(),
+      py::arg("layer") = "");
 }
 
 }  // namespace scenefile::python

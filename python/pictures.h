@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scenefile/asset/image.h"
+#include "scenefile/asset/image_file.h"
 #include "scenefile/trace/render.h"
 
 #include <pybind11/numpy.h>
@@ -14,9 +14,10 @@ struct Picture {
   RenderOptions options;
 };
 
-/// The 8-bit picture of a Picture, of an array of rows of colors, or of an image file. Raises
-/// TypeError for anything else, OSError or ValueError if the file cannot be used.
-Texture texture_of(const pybind11::handle& picture);
+/// The 8-bit picture of a Picture or of an array of rows of colors, or the picture in a file, of
+/// which `layer` is read as by decode_picture(). Raises TypeError for anything else, OSError or
+/// ValueError if the file cannot be used.
+DecodedPicture picture_of(const pybind11::handle& picture, const std::string& layer);
 
 /// Height x width x 3, 8 bits.
 pybind11::array_t<std::uint8_t> array_of(const Texture& picture);

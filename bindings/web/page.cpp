@@ -145,12 +145,13 @@ void page_look(const double* camera) {
 const std::uint8_t* page_decode(const char* path) {
   const std::uint8_t* pixels = nullptr;
   answered([&] {
-    const Result<Texture> picture = load_picture_file(path);
-    if (!picture) {
-      return error_json(picture.error().text);
+    const Result<DecodedPicture> loaded = load_picture_file(path);
+    if (!loaded) {
+      return error_json(loaded.error().text);
     }
-    pixels = show(*picture);
-    return fmt::format("{{\"width\":{},\"height\":{}}}", picture->width, picture->height);
+    const Texture& picture = loaded->texture;
+    pixels = show(picture);
+    return fmt::format("{{\"width\":{},\"height\":{}}}", picture.width, picture.height);
   });
   return pixels;
 }

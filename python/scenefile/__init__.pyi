@@ -375,7 +375,9 @@ class Comparison:
     @property
     def mean(self) -> float: ...
     @property
-    def max(self) -> int: ...
+    def max(self) -> float: ...
+    @property
+    def linear(self) -> bool: ...
     @property
     def share_over(self) -> float: ...
     @property
@@ -431,7 +433,9 @@ class GradedPicture:
     @property
     def mean(self) -> float: ...
     @property
-    def max(self) -> int: ...
+    def max(self) -> float: ...
+    @property
+    def linear(self) -> bool: ...
     @property
     def share_over(self) -> float: ...
     @property
@@ -511,11 +515,12 @@ def compare(
     *,
     min_psnr: float | None = ...,
     max_mean: float | None = ...,
-    max_difference: int | None = ...,
+    max_difference: float | None = ...,
     max_share: float | None = ...,
     min_ssim: float | None = ...,
     max_flip: float | None = ...,
     pixel_threshold: int = ...,
+    layer: str = ...,
     progress: _Progress = ...,
     profile: _Profile = ...,
     mode: _Mode = ...,
@@ -529,15 +534,16 @@ def grade(
     *,
     min_psnr: float | None = ...,
     max_mean: float | None = ...,
-    max_difference: int | None = ...,
+    max_difference: float | None = ...,
     max_share: float | None = ...,
     min_ssim: float | None = ...,
     max_flip: float | None = ...,
     pixel_threshold: int = ...,
+    layer: str = ...,
     progress: _Progress = ...,
     profile: _Profile = ...,
     mode: _Mode = ...,
     features: _Words = ...,
     max_depth: int = ...,
 ) -> Gradebook: ...
-def read_picture(path: _Path) -> NDArray[np.uint8]: ...
+def read_picture(path: _Path, *, layer: str = ...) -> NDArray[np.uint8]: ...

@@ -9,9 +9,11 @@
 #include <gtest/gtest.h>
 #include <jpeglib.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <set>
 
 namespace scenefile {
@@ -130,6 +132,99 @@ TEST_F(DiffImages, JpegsOfRightPicturesAreSaidToBeSo) {
   };
   EXPECT_THAT(said_of_jpeg("ball.xml"), AllOf(HasSubstr("cause: none"), HasSubstr("of JPEGs")));
   EXPECT_THAT(said_of_jpeg("brighter.xml"), Not(HasSubstr("of JPEGs")));
+}
+
+TEST_F(DiffImages, FloatsCompareAsLinearValues) {
+  draw("ball.xml", "a.exr", "64x48");
+  draw("ball.xml", "a.pfm", "64x48");
+  draw("brighter.xml", "b.exr", "64x48");
+  EXPECT_THAT(in_folder({"diff", "a.pfm", "a.pfm"}).out, HasSubstr("equal"));
+#if SCENEFILE_OPENEXR
+  EXPECT_THAT(in_folder({"diff", "a.exr", "a.pfm"}).out, HasSubstr("\nequal\n"));
+  const ProgramRun run = in_folder({"diff", "a.exr", "b.exr", "--json"});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_TRUE(parse_json(run.out)["linear"].GetBool());
+  EXPECT_THAT(in_folder({"diff", "a.exr", "b.exr"}).out, HasSubstr("  linear values:\n"));
+  EXPECT_EQ(in_folder({"diff", "a.exr", "b.exr", "--max-difference", "254.5"}).status, 0);
+#endif
+}
+
+TEST_F(DiffImages, FloatsEqualTheirOwnPng) {
+  for (const char* profile : {"fine", "course"}) {
+    for (const char* name : {"a.png", "a.pfm", "a.exr"}) {
+      ASSERT_EQ(
+          in_folder({"render", "ball.xml", "--size", "64x48", "--profile", profile, "-o", name})
+              .status,
+          0);
+    }
+    for (const char* name : {"a.pfm", "a.exr"}) {
+      if (!SCENEFILE_OPENEXR && std::string_view(name) == "a.exr") {
+        continue;
+      }
+      EXPECT_THAT(in_folder({"diff", "a.png", name}).out, HasSubstr("\nequal\n")) << profile;
+      EXPECT_THAT(in_folder({"diff", name, "a.png"}).out, HasSubstr("\nequal\n")) << profile;
+    }
+  }
+}
+
+TEST_F(DiffImages, FloatsMayDifferWhereBytesDoNot) {
+  Image image(20, 20);
+  std::fill(image.rgb.begin(), image.rgb.end(), 1.5f);
+  folder.write("a.pfm", *encode_image(image, ImageFormat::pfm, Rounding::nearest));
+  image.rgb[0] = 3;
+  folder.write("b.pfm", *encode_image(image, ImageFormat::pfm, Rounding::nearest));
+  const ProgramRun run = in_folder({"diff", "a.pfm", "b.pfm"});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.out, AllOf(HasSubstr("different: the pictures are not equal"),
+                             HasSubstr("maximum 382.5/255"),
+                             HasSubstr("as 8-bit pictures, both are equal")));
+  image.rgb[0] = std::numeric_limits<float>::quiet_NaN();
+  folder.write("b.pfm", *encode_image(image, ImageFormat::pfm, Rounding::nearest));
+  const ProgramRun nan = in_folder({"diff", "a.pfm", "b.pfm"});
+  EXPECT_EQ(nan.status, 1);
+  EXPECT_THAT(nan.out, AllOf(HasSubstr("b.pfm: 1 of its pixels is not finite (NaN or infinite)"),
+                             HasSubstr("maximum 255/255"), Not(HasSubstr("nan"))));
+  EXPECT_THAT(in_folder({"diff", "b.pfm", "b.pfm"}).out, HasSubstr("equal"));
+}
+
+#if SCENEFILE_OPENEXR
+TEST_F(DiffImages, LayersOfExrAreChosen) {
+  ASSERT_EQ(
+      in_folder({"render", "ball.xml", "--size", "64x48", "--aov", "normal,depth", "-o", "a.exr"})
+          .status,
+      0);
+  EXPECT_THAT(in_folder({"diff", "a.exr", "a.exr", "--layer", "normal"}).out, HasSubstr("equal"));
+  const ProgramRun none = in_folder({"diff", "a.exr", "right.png", "--layer", "glossy"});
+  EXPECT_EQ(none.status, 1);
+  EXPECT_EQ(none.err,
+            "scenefile diff: a.exr: cannot decode: EXR of 64 x 48 pixels: it has no layer "
+            "\"glossy\"; it has depth, normal\n");
+  EXPECT_EQ(in_folder({"explain", "ball.xml", "--pixel", "3,3", "--mine", "a.exr"}).status, 0);
+}
+#endif
+
+TEST_F(DiffImages, OtherFilesGetOneLine) {
+  folder.write("notes.txt", "secret: 42\nmore\n");
+  folder.write("empty.png", "");
+  folder.write("text.png", "secret: 43");
+  const std::string formats = "(PNG, JPEG, GIF, BMP, PPM, PFM, EXR, TGA)\n";
+  const auto error = [&](const std::vector<std::string>& arguments) {
+    const ProgramRun run = in_folder(arguments);
+    EXPECT_NE(run.status, 0);
+    EXPECT_EQ(run.out, "");
+    return run.err;
+  };
+  EXPECT_EQ(error({"diff", "right.png", "notes.txt"}),
+            "scenefile diff: notes.txt: not a picture that scenefile reads " + formats);
+  EXPECT_EQ(error({"diff", "right.png", "text.png"}),
+            "scenefile diff: text.png: not a picture that scenefile reads " + formats);
+  EXPECT_EQ(error({"diff", "text.png", "empty.png"}),
+            "scenefile diff: text.png: not a picture that scenefile reads " + formats +
+                "scenefile diff: empty.png: the file is empty\n");
+  EXPECT_EQ(error({"explain", "ball.xml", "--pixel", "1,1", "--mine", "notes.txt"}),
+            "scenefile explain: notes.txt: not a picture that scenefile reads " + formats);
+  EXPECT_EQ(error({"explain", "ball.xml", "--pixel", "1,1", "--mine", "ball.xml"}),
+            "scenefile explain: ball.xml is a scene, not a picture\n");
 }
 
 TEST_F(DiffImages, AnUnusableSceneIsAnError) {

@@ -1,5 +1,5 @@
-// Feeds bytes to decode_image(). SCENEFILE_FUZZ_IMAGE selects the format, so that a fuzzer does not
-// drift to other formats.
+// Feeds bytes to decode_image() or decode_picture(). SCENEFILE_FUZZ_IMAGE selects the format, so
+// that a fuzzer does not drift to other formats.
 
 #include "law.h"
 #include "scenefile/asset/image_file.h"
@@ -32,6 +32,12 @@ bool is_mine(std::string_view bytes) {
   }
   if (bytes.substr(0, 2) == "BM") {
     return format == "bmp";
+  }
+  if (bytes.substr(0, 4) == "\x76\x2f\x31\x01") {
+    return format == "exr";
+  }
+  if (bytes.size() > 1 && bytes[0] == 'P' && std::string_view("2356Ff").find(bytes[1]) < 6) {
+    return format == "pnm";
   }
   return format == "tga";  // has no signature
 }
@@ -92,6 +98,21 @@ void judge(std::string_view bytes, const Limits& limits) {
   require(texture.rgb.size() <= limits.texture_bytes - budget, "bytes are counted");
 }
 
+// For the formats that textures do not have. Floats take five times the memory of the result.
+void judge_picture(std::string_view bytes, std::string_view layer, const Limits& limits) {
+  const Result<DecodedPicture> decoded = decode_picture(bytes, layer, limits);
+  if (!decoded) {
+    require(!decoded.error().text.empty(), "there is a picture or a reason");
+    return;
+  }
+  const auto& [texture, linear, not_finite, jpeg] = *decoded;
+  const std::size_t values = std::size_t{3} * texture.width * texture.height;
+  require(values > 0 && texture.rgb.size() == values, "a picture is complete");
+  require(linear.rgb.empty() || linear.rgb.size() == values, "floats are complete");
+  require(linear.rgb.size() * sizeof(float) + values <= limits.texture_bytes, "bytes are limited");
+  require(not_finite <= values / 3 && !jpeg, "pixels are counted");
+}
+
 // Decoded pictures survive encoding; only for pictures small enough to test each time.
 void judge_round_trip(std::string_view bytes) {
   const Limits limits;
@@ -118,6 +139,13 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Limits limits;
   limits.texture_side = 2048;
   limits.texture_bytes = std::uint64_t{1} << 20;
+  if (format == "exr" || format == "pnm") {
+    judge_picture(bytes, {}, limits);
+    judge_picture(bytes, "a", limits);
+    limits.texture_bytes = 200;
+    judge_picture(bytes, {}, limits);
+    return 0;
+  }
   judge(bytes, limits);
   limits.texture_side = 4;
   limits.texture_bytes = 20;

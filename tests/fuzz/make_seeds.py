@@ -164,6 +164,28 @@ def make_bmp():
           struct.pack("<IHHHH", 12, 3, 2, 1, 24) + bytes(range(24)))
 
 
+# PPM, PGM and PFM
+
+def make_pnm():
+    write("image_pnm/binary.ppm", b"P6\n3 2\n255\n" + bytes(range(18)))
+    write("image_pnm/binary16.pgm", b"P5 3 1 1000\n\0\1\1\2\3\xe8")
+    write("image_pnm/text.ppm", b"P3 # color\n2 1\n15\n0 7 15 1\t2 3\n")
+    write("image_pnm/text.pgm", b"P2\n2 2\n9\n0 1 2#three\n9")
+    for order in "<>":
+        scale = b"-1.0" if order == "<" else b"1.0"
+        name = "little" if order == "<" else "big"
+        write(f"image_pnm/{name}.pfm", b"PF\n2 1\n" + scale + b"\n" + struct.pack(order + "6f", *range(6)))
+        write(f"image_pnm/{name}_gray.pfm",
+              b"Pf\n2 1\n" + scale + b"\n" + struct.pack(order + "2f", float("nan"), float("inf")))
+
+
+# EXR: what OpenEXR wrote for the tests of asset
+
+def make_exr():
+    for path in sorted((Path(__file__).parents[1] / "fixtures/pictures").glob("*.exr")):
+        write(f"image_exr/{path.name}", path.read_bytes())
+
+
 # Checkpoints: the state of a picture of 17 x 2 pixels, in four pieces; tests/fuzz/checkpoint.cpp
 
 def make_checkpoint():
@@ -194,3 +216,5 @@ make_jpeg()
 make_gif()
 make_tga()
 make_bmp()
+make_pnm()
+make_exr()

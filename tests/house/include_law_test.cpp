@@ -46,19 +46,13 @@ const std::map<std::string, std::set<std::string>> may_know = {
 // Each library except the standard library and glm is used by a single .cpp file. fmt is allowed in
 // every .cpp; operating system headers only in io.
 const std::map<std::string, std::string> third_party = {
-    {"expat.h", "format/xml_judge.cpp"},
-    {"png.h", "asset/png_file.cpp"},
-    {"jpeglib.h", "asset/jpeg_file.cpp"},
-    {"zlib.h", "asset/zlib_bytes.cpp"},
-    {"isa-l/", "asset/isal_packer.cpp"},
-    {"embree3/", "trace/embree_scenes.cpp"},
-    {"embree4/", "trace/embree_scenes.cpp"},
-    {"tbb/", "trace/tbb_tasks.cpp"},
-    {"oneapi/", "trace/tbb_tasks.cpp"},
-    {"EGL/", "view/headless.cpp"},
-    {"hwy/", "trace/wave.cpp"},
-    {"GLFW/", "viewer/window.cpp"},
-    {"GL/", "viewer/gl_picture.cpp"},
+    {"expat.h", "format/xml_judge.cpp"},     {"png.h", "asset/png_file.cpp"},
+    {"jpeglib.h", "asset/jpeg_file.cpp"},    {"zlib.h", "asset/zlib_bytes.cpp"},
+    {"isa-l/", "asset/isal_packer.cpp"},     {"openexr.h", "asset/exr_reader.cpp"},
+    {"embree3/", "trace/embree_scenes.cpp"}, {"embree4/", "trace/embree_scenes.cpp"},
+    {"tbb/", "trace/tbb_tasks.cpp"},         {"oneapi/", "trace/tbb_tasks.cpp"},
+    {"EGL/", "view/headless.cpp"},           {"hwy/", "trace/wave.cpp"},
+    {"GLFW/", "viewer/window.cpp"},          {"GL/", "viewer/gl_picture.cpp"},
 };
 
 struct Include {

@@ -179,6 +179,6 @@ Result<void> decode_bmp(std::string_view bytes, Texture& texture) {
 
 }  // namespace
 
-const Codec bmp_codec{"BMP", recognizes_bmp, read_bmp_header, decode_bmp};
+const Codec bmp_codec{{"BMP", ".bmp"}, recognizes_bmp, read_bmp_header, decode_bmp};
 
 }  // namespace scenefile

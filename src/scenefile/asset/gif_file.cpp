@@ -267,6 +267,6 @@ Result<void> decode_gif(std::string_view bytes, Texture& texture) {
 
 }  // namespace
 
-const Codec gif_codec{"GIF", recognizes_gif, read_gif_header, decode_gif};
+const Codec gif_codec{{"GIF", ".gif"}, recognizes_gif, read_gif_header, decode_gif};
 
 }  // namespace scenefile

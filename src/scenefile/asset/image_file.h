@@ -10,8 +10,23 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace scenefile {
+
+/// A format of picture files that can be read.
+struct PictureFormat {
+  std::string_view name;        ///< "JPEG"
+  std::string_view extensions;  ///< in lower case, separated by spaces: ".jpg .jpeg"
+};
+
+/// All formats that decode_picture() reads; decode_image() does not read those that textures do not
+/// have: PPM and PGM, PFM, EXR.
+std::vector<PictureFormat> picture_formats();
+/// Their names for messages: "PNG, JPEG, ...".
+std::string picture_format_names();
+/// Whether the name has one of their extensions, in any case.
+bool is_picture_name(std::string_view file_name);
 
 /// Decodes PNG, JPEG, GIF (first frame), TGA or BMP; detected from the bytes, not from the file
 /// name. Gray is expanded, 16 bits are rounded to 8, alpha is dropped (colors are not multiplied by
@@ -24,11 +39,38 @@ Result<Texture> decode_image(std::string_view bytes, const Limits& limits, std::
 /// The same for a single image.
 Result<Texture> decode_image(std::string_view bytes, const Limits& limits = {});
 
+/// A picture from a file, for comparison.
+struct DecodedPicture {
+  /// 8-bit values. Of `linear`, clamped to [0, 1] and rounded; NaN is 0.
+  Texture texture;
+  /// The values of a format with floats (PFM, EXR), 1 is full intensity: not clamped, NaN and
+  /// infinity are kept. Empty for other formats.
+  Image linear;
+  std::size_t not_finite = 0;  ///< pixels of `linear` with a value that is NaN or infinite
+  bool jpeg = false;           ///< its colors are not exactly those that were stored
+
+  bool is_linear() const { return !linear.rgb.empty(); }
+};
+
+/// Decodes what decode_image() does, and
+/// - PPM and PGM, as text or binary; values above 255 are scaled to 8 bits;
+/// - PFM, in color or gray. The amount of its scale is ignored;
+/// - OpenEXR with scan lines or tiles (the largest level), and
+///   any lossless compression or PXR24. The picture
+///   is the display window, black where there are no pixels. Its colors are channels R, G, B, or Y.
+///   Alpha is dropped. If it has neither, but layers (names before the last point of channels, or
+///   names of parts), `layer` selects one; without it, the only one. A layer is three channels R,
+///   G, B or X, Y, Z, or a single channel. `layer` is ignored for files without layers.
+/// The result and errors are otherwise those of decode_image(). Needs 15 bytes per pixel for
+/// floats, which must fit in limits.texture_bytes.
+Result<DecodedPicture> decode_picture(std::string_view bytes, std::string_view layer = {},
+                                      const Limits& limits = {});
+
 /// How much of its budget decode_image() will use if it succeeds, from the header alone; 0 if no
 /// header can be read.
 std::uint64_t decoded_bytes(std::string_view bytes);
 
-/// Whether the bytes begin like a format that decode_image() knows.
+/// Whether the bytes begin like a format that decode_picture() knows.
 bool is_image(std::string_view bytes);
 
 /// Image formats that can be written.

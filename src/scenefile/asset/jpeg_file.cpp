@@ -167,6 +167,6 @@ Result<void> decode_jpeg(std::string_view bytes, Texture& texture) {
 
 }  // namespace
 
-const Codec jpeg_codec{"JPEG", recognizes_jpeg, read_jpeg_header, decode_jpeg};
+const Codec jpeg_codec{{"JPEG", ".jpg .jpeg"}, recognizes_jpeg, read_jpeg_header, decode_jpeg};
 
 }  // namespace scenefile

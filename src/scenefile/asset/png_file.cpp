@@ -226,6 +226,6 @@ Result<void> decode_png(std::string_view bytes, Texture& texture) {
 
 }  // namespace
 
-const Codec png_codec{"PNG", recognizes_png, read_png_header, decode_png};
+const Codec png_codec{{"PNG", ".png"}, recognizes_png, read_png_header, decode_png};
 
 }  // namespace scenefile

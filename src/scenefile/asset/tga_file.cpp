@@ -178,6 +178,6 @@ Result<void> decode_tga(std::string_view bytes, Texture& texture) {
 
 }  // namespace
 
-const Codec tga_codec{"TGA", recognizes_tga, read_tga_header, decode_tga};
+const Codec tga_codec{{"TGA", ".tga"}, recognizes_tga, read_tga_header, decode_tga};
 
 }  // namespace scenefile

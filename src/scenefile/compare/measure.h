@@ -18,6 +18,7 @@ struct PictureMeasures {
   glm::ivec2 size{0};          ///< of the picture under test
   glm::ivec2 right_size{0};    ///< of the reference
   ImageDifference difference;  ///< PSNR, mean, maximum, share of pixels over the threshold
+  bool linear = false;         ///< whether `difference` is of floats; the rest is of 8-bit values
   double ssim = 1;             ///< see ssim.h
   double flip_mean = 0;        ///< see flip.h
   double flip_max = 0;
@@ -31,9 +32,9 @@ PictureMeasures measure(const Texture& reference, const Texture& test, int thres
 /// Limits that a picture must meet. If none is set, it must equal the reference.
 struct Thresholds {
   std::optional<double> min_psnr_db{};
-  std::optional<double> max_mean{};     ///< in 1/255
-  std::optional<int> max_difference{};  ///< in 1/255
-  std::optional<double> max_share{};    ///< of pixels over the threshold, in [0, 1]
+  std::optional<double> max_mean{};        ///< in 1/255
+  std::optional<double> max_difference{};  ///< in 1/255
+  std::optional<double> max_share{};       ///< of pixels over the threshold, in [0, 1]
   std::optional<double> min_ssim{};
   std::optional<double> max_flip{};  ///< mean FLIP
 

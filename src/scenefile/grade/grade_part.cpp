@@ -34,12 +34,12 @@ void visit(T& head, Archive& archive) {
 
 template <ConstOrNot<PictureMeasures> T, typename Archive>
 void visit(T& measures, Archive& archive) {
-  auto& [same_size, size, right_size, difference, ssim, flip_mean, flip_max] = measures;
+  auto& [same_size, size, right_size, difference, linear, ssim, flip_mean, flip_max] = measures;
   auto& [psnr_db, mean, max, share_over] = difference;
   archive(same_size);
   archive(size.x), archive(size.y), archive(right_size.x), archive(right_size.y);
   archive(psnr_db), archive(mean), archive(max), archive(share_over);
-  archive(ssim), archive(flip_mean), archive(flip_max);
+  archive(linear), archive(ssim), archive(flip_mean), archive(flip_max);
 }
 
 template <ConstOrNot<Claim> T, typename Archive>

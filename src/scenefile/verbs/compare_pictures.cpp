@@ -603,9 +603,21 @@ std::vector<DrawnWay> ways_drawn(const Texture& reference, const LoadedScene& sc
              : found;
 }
 
-PictureComparison compare_pictures(const Texture& given, const Texture& test,
-                                   const LoadedScene* scene, const CompareSettings& settings,
-                                   const std::function<bool(double)>& go_on) {
+namespace {
+
+// The number of values that are equal in pictures of the same size.
+std::size_t equal_values(const Texture& a, const Texture& b) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) {
+    count += a.rgb[i] == b.rgb[i] ? 1 : 0;
+  }
+  return count;
+}
+
+// `linear`: the difference of the pictures as floats, or null.
+PictureComparison compare(const Texture& given, const Texture& test, const ImageDifference* linear,
+                          const LoadedScene* scene, const CompareSettings& settings,
+                          const std::function<bool(double)>& go_on) {
   PictureComparison found;
   found.test_size = {test.width, test.height};
   const LoadedScene* const drawable = scene != nullptr && scene->usable() ? scene : nullptr;
@@ -619,6 +631,11 @@ PictureComparison compare_pictures(const Texture& given, const Texture& test,
   const Texture& reference = found.reference_of(given);
   const Texture& shown = found.test_of(test);
   found.measures = measure(reference, shown, settings.pixel_threshold, &found.flip_errors);
+  if (linear != nullptr) {
+    found.equal_in_8_bits = found.measures.difference.max == 0 && linear->max > 0;
+    found.measures.difference = *linear;
+    found.measures.linear = true;
+  }
   found.broken = broken_thresholds(settings.thresholds, found.measures);
   if (found.other_size()) {
     found.broken.insert(
@@ -628,7 +645,7 @@ PictureComparison compare_pictures(const Texture& given, const Texture& test,
   }
   const bool wanted = !found.broken.empty() ||
                       (settings.look == LookForCauses::always && found.measures.difference.max > 0);
-  if (wanted && found.measures.same_size) {
+  if (wanted && found.measures.same_size && !found.equal_in_8_bits) {
     if (ways.empty() && drawable != nullptr) {
       ways = ways_of(given, *scene, settings);
     }
@@ -656,9 +673,51 @@ PictureComparison compare_pictures(const Texture& given, const Texture& test,
   return found;
 }
 
+}  // namespace
+
+PictureComparison compare_pictures(const Texture& reference, const Texture& test,
+                                   const LoadedScene* scene, const CompareSettings& settings,
+                                   const std::function<bool(double)>& go_on) {
+  return compare(reference, test, nullptr, scene, settings, go_on);
+}
+
+void round_alike(DecodedPicture& a, DecodedPicture& b) {
+  if (a.is_linear() == b.is_linear()) {
+    return;
+  }
+  DecodedPicture& linear = a.is_linear() ? a : b;
+  const Texture& other = a.is_linear() ? b.texture : a.texture;
+  Texture truncated = quantize(linear.linear, Rounding::truncate);
+  if (truncated.width == other.width && truncated.height == other.height &&
+      equal_values(truncated, other) > equal_values(linear.texture, other)) {
+    linear.texture = std::move(truncated);
+  }
+}
+
+PictureComparison compare_pictures(const DecodedPicture& reference, const DecodedPicture& test,
+                                   const LoadedScene* scene, const CompareSettings& settings,
+                                   const std::function<bool(double)>& go_on) {
+  const bool linear = reference.is_linear() && test.is_linear() &&
+                      reference.linear.width == test.linear.width &&
+                      reference.linear.height == test.linear.height;
+  const ImageDifference difference =
+      linear ? compare_images(reference.linear, test.linear, settings.pixel_threshold)
+             : ImageDifference();
+  return compare(reference.texture, test.texture, linear ? &difference : nullptr, scene, settings,
+                 go_on);
+}
+
+std::string not_finite_text(const DecodedPicture& picture) {
+  return fmt::format("{} of its pixels {} not finite (NaN or infinite)", picture.not_finite,
+                     picture.not_finite == 1 ? "is" : "are");
+}
+
 std::string causes_text(const PictureComparison& found) {
   if (found.exchanged) {
     return "the second picture shows the scene, and the first does not: give the reference first\n";
+  }
+  if (found.equal_in_8_bits) {
+    return "cause: none; as 8-bit pictures, both are equal\n";
   }
   const CauseReport& report = found.causes;
   std::string text;
@@ -772,8 +831,13 @@ void add_measures(Json& json, const PictureMeasures& m) {
   json.add("same_size", m.same_size);
   json.add("psnr_db", m.difference.psnr_db);
   json.add("mean_difference", m.difference.mean);
-  json.add("max_difference", m.difference.max);
+  if (m.linear) {
+    json.add("max_difference", m.difference.max);
+  } else {
+    json.add("max_difference", static_cast<int>(m.difference.max));
+  }
   json.add("share_over", m.difference.share_over);
+  json.add("linear", m.linear);
   json.add("ssim", m.ssim);
   json.add("flip_mean", m.flip_mean);
   json.add("flip_max", m.flip_max);
@@ -794,6 +858,7 @@ void add_comparison(Json& json, const PictureComparison& found) {
   json.add("right_at_other_size", found.right_at_other_size);
   json.add("exchanged", found.exchanged);
   json.add("other_outlines", found.other_outlines);
+  json.add("equal_in_8_bits", found.equal_in_8_bits);
   json.add("confined", found.causes.confined);
   add_measures(json, found.measures);
   add_clauses(json, "broken", found.broken);

@@ -2,6 +2,7 @@
 // Compares a picture with its reference: how much they differ, and which common mistake explains
 // it; as data, text and JSON.
 
+#include "scenefile/asset/image_file.h"
 #include "scenefile/compare/find_picture.h"
 #include "scenefile/compare/measure.h"
 #include "scenefile/compare/worst_region.h"
@@ -102,7 +103,8 @@ struct PictureComparison {
   bool scene_used = false;   ///< whether the search for causes had a scene
   bool right_at_other_size = false;  ///< the picture under test shows the scene, at another size
   bool exchanged = false;  ///< the picture under test shows the scene, and the reference does not
-  bool other_outlines = false;  ///< nothing explains the difference, and few edges are the same
+  bool other_outlines = false;   ///< nothing explains the difference, and few edges are the same
+  bool equal_in_8_bits = false;  ///< only the floats differ; no causes are looked for
   std::optional<PlaceToLook> where;  ///< nullopt if no pixel differs visibly
 
   bool other_size() const { return other_reference || other_test; }
@@ -123,6 +125,21 @@ PictureComparison compare_pictures(const Texture& reference, const Texture& test
                                    const LoadedScene* scene = nullptr,
                                    const CompareSettings& settings = {},
                                    const std::function<bool(double done)>& go_on = {});
+
+/// If one picture has floats and the other 8-bit values, the floats become 8-bit values, too:
+/// clamped to [0, 1], and rounded or truncated, whichever gives more of the other's values.
+void round_alike(DecodedPicture& a, DecodedPicture& b);
+
+/// The same for pictures from files, after round_alike(). If both have floats and the same size,
+/// their linear values are measured (PictureMeasures::difference); SSIM, FLIP, causes and places
+/// are always of 8-bit values.
+PictureComparison compare_pictures(const DecodedPicture& reference, const DecodedPicture& test,
+                                   const LoadedScene* scene = nullptr,
+                                   const CompareSettings& settings = {},
+                                   const std::function<bool(double done)>& go_on = {});
+
+/// "12 of its pixels are not finite (NaN or infinite)".
+std::string not_finite_text(const DecodedPicture& picture);
 
 /// The causes as human-readable text.
 std::string causes_text(const PictureComparison& found);

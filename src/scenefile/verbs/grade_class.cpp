@@ -97,7 +97,7 @@ void follow_causes(const PictureComparison& compared, PictureResult& result) {
 
 struct Reference {
   std::string name;
-  Texture picture;
+  DecodedPicture picture;
   std::optional<LoadedScene> scene;
   std::vector<DrawnWay> ways;  // how it was drawn, found with the first picture
   std::vector<DrawnWay> ways_to_try = {};
@@ -172,6 +172,7 @@ struct ClassGrader::State {
     const std::vector<FoundFile> scenes =
         files_below(request_.scenes.empty() ? request_.references : request_.scenes, is_scene_name);
     files_ = files_below(request_.references, is_picture_name);
+    drop_copies();
     if (const Result<void> read = read_settings(); !read) {
       return read.error();
     }
@@ -180,7 +181,7 @@ struct ClassGrader::State {
     const std::vector<std::string> names = reference_names(files_);
     for (std::size_t i = 0; i < files_.size(); ++i) {
       enter("reading a picture");
-      Result<Texture> picture = load_picture_file(files_[i].path);
+      Result<DecodedPicture> picture = load_picture_file(files_[i].path, request_.layer);
       if (!picture) {
         return picture.error();
       }
@@ -350,6 +351,32 @@ struct ClassGrader::State {
     }
   }
 
+  // The same reference in several formats counts once, in the first of picture_formats().
+  void drop_copies() {
+    const std::vector<PictureFormat> formats = picture_formats();
+    const auto rank = [&](const FoundFile& file) {
+      return std::find_if(formats.begin(), formats.end(),
+                          [&](const PictureFormat& format) {
+                            const std::string ending =
+                                lower_case(file.path.substr(file.path.rfind('.')));
+                            return format.extensions.find(ending) != std::string_view::npos;
+                          }) -
+             formats.begin();
+    };
+    std::vector<FoundFile> files;
+    for (FoundFile& file : files_) {
+      const auto same = std::find_if(files.begin(), files.end(), [&](const FoundFile& other) {
+        return other.stem == file.stem && other.folders == file.folders;
+      });
+      if (same == files.end()) {
+        files.push_back(std::move(file));
+      } else if (rank(file) < rank(*same)) {
+        *same = std::move(file);
+      }
+    }
+    files_ = std::move(files);
+  }
+
   // The ways in which a reference may have been drawn; the table's settings take precedence.
   std::vector<DrawnWay> ways_of(const FoundFile& file) const {
     const RealtimeRow* const row = row_of(table_, file);
@@ -376,8 +403,9 @@ struct ClassGrader::State {
   // none. A reference that is nearly of one color is not recognized: an empty picture would be it.
   const Reference* shown_instead(const Reference& reference, const Texture& picture) const {
     const auto off = [&](const Reference& r, double limit) {
-      return r.picture.width == picture.width && r.picture.height == picture.height
-                 ? mean_square(r.picture, picture, limit)
+      const Texture& other = r.picture.texture;
+      return other.width == picture.width && other.height == picture.height
+                 ? mean_square(other, picture, limit)
                  : infinity;
     };
     const double here = off(reference, infinity);
@@ -388,7 +416,7 @@ struct ClassGrader::State {
         continue;
       }
       if (const double there = off(r, std::min(least, here / 20));
-          there < least && 20 * there < here && 20 * there < variance(r.picture)) {
+          there < least && 20 * there < here && 20 * there < variance(r.picture.texture)) {
         best = &r;
         least = there;
       }
@@ -422,36 +450,39 @@ struct ClassGrader::State {
       return result;
     }
     enter("reading a picture");
-    const Result<Texture> picture = load_picture_file(path);
+    Result<DecodedPicture> picture = load_picture_file(path, request_.layer);
     if (!picture) {
       result.verdict = Verdict::unreadable;
       result.reasons = {without_folder(picture.error().text)};
       return result;
     }
-    if (const Reference* other = shown_instead(reference, *picture)) {
+    DecodedPicture right = reference.picture;
+    round_alike(right, *picture);
+    const Texture& shown = picture->texture;
+    if (const Reference* other = shown_instead(reference, shown)) {
       result.verdict = Verdict::differs;
-      result.measures = measure(reference.picture, *picture, settings_.pixel_threshold);
+      result.measures = measure(right.texture, shown, settings_.pixel_threshold);
       result.reasons = {fmt::format("it is the picture of {}", other->name)};
       if (request_.thumbnails) {
-        result.png = thumbnail(reference.picture, *picture, thumbnail_width_);
+        result.png = thumbnail(right.texture, shown, thumbnail_width_);
       }
       return result;
     }
     enter("comparing the pictures");
     if (reference.ways.empty() && reference.scene && reference.scene->usable() &&
         !reference.ways_to_try.empty()) {
-      reference.ways = ways_drawn(reference.picture, *reference.scene, reference.ways_to_try);
+      reference.ways =
+          ways_drawn(reference.picture.texture, *reference.scene, reference.ways_to_try);
     }
     CompareSettings settings = settings_;
     settings.ways = reference.ways;
     settings.ways_fit = true;
-    settings.lossy = is_jpeg_file(path);
-    const PictureComparison compared =
-        compare_pictures(reference.picture, *picture, reference.scene ? &*reference.scene : nullptr,
-                         settings, go_on);
+    settings.lossy = picture->jpeg;
+    const PictureComparison compared = compare_pictures(
+        right, *picture, reference.scene ? &*reference.scene : nullptr, settings, go_on);
     result.measures = compared.measures;
-    result.measures.size = {picture->width, picture->height};
-    result.measures.right_size = {reference.picture.width, reference.picture.height};
+    result.measures.size = {shown.width, shown.height};
+    result.measures.right_size = {right.texture.width, right.texture.height};
     result.reasons = compared.broken;
     if (compared.right_at_other_size) {
       result.reasons.emplace_back("apart from its size, the picture is right");
@@ -461,14 +492,17 @@ struct ClassGrader::State {
       result.notes.push_back(note.what);
     }
     result.verdict = compared.broken.empty() ? Verdict::passed : Verdict::differs;
-    if (by_causes_ && compared.measures.same_size) {
+    if (by_causes_ && compared.measures.same_size && !compared.equal_in_8_bits) {
       follow_causes(compared, result);
+    }
+    if (picture->not_finite > 0) {
+      result.notes.push_back(not_finite_text(*picture));
     }
     if (result.verdict == Verdict::differs && settings.lossy) {
       result.reasons.emplace_back("it is a JPEG, which changes colors: a PNG is needed");
     }
     if (result.verdict == Verdict::differs && request_.thumbnails) {
-      result.png = thumbnail(compared.reference_of(reference.picture), compared.test_of(*picture),
+      result.png = thumbnail(compared.reference_of(right.texture), compared.test_of(shown),
                              thumbnail_width_);
     }
     return result;

@@ -142,12 +142,6 @@ std::vector<FoundFile> files_below(const std::string& folder,
   return files;
 }
 
-bool is_picture_name(std::string_view name) {
-  static constexpr std::array<std::string_view, 6> endings{".png", ".jpg", ".jpeg",
-                                                           ".gif", ".tga", ".bmp"};
-  return std::find(endings.begin(), endings.end(), ending_of(name)) != endings.end();
-}
-
 namespace {
 
 std::string trimmed(std::string_view text) {

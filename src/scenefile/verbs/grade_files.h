@@ -22,9 +22,6 @@ struct FoundFile {
 std::vector<FoundFile> files_below(const std::string& folder,
                                    bool (*wanted)(std::string_view name));
 
-/// Whether the name ends like that of a picture: .png, .jpg, ...
-bool is_picture_name(std::string_view name);
-
 /// Whether the path refers to the file: it is the whole path, or the last folders and the name,
 /// with or without the extension.
 bool is_named(const FoundFile& file, const std::string& name);

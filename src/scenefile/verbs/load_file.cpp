@@ -1,8 +1,8 @@
 #include "scenefile/verbs/load_file.h"
 
-#include "scenefile/asset/image_file.h"
 #include "scenefile/base/hash.h"
 #include "scenefile/base/text.h"
+#include "scenefile/format/recognize.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/memory.h"
 #include "scenefile/verbs/realtime_table.h"
@@ -80,23 +80,24 @@ void load_written_file(LoadedScene& scene, const LoadSettings& settings,
   load_written(scene, fetch, settings);
 }
 
-Result<Texture> load_picture_file(const std::string& path, const Limits& limits) {
+Result<DecodedPicture> load_picture_file(const std::string& path, std::string_view layer,
+                                         const Limits& limits) {
   const Result<std::string> bytes = read_file(path, limits.file_bytes);
   if (!bytes) {
     return bytes.error();
   }
-  Result<Texture> picture = decode_image(*bytes, limits);
+  const std::string name = escaped(shown_name(path), 4096);
+  if (!is_image(*bytes) && is_scene_name(path)) {
+    return input_error(fmt::format("{} is a scene, not a picture", name));
+  }
+  Result<DecodedPicture> picture = decode_picture(*bytes, layer, limits);
   if (!picture) {
+    const bool known = is_image(*bytes);
     return Error{
-        fmt::format("{}: cannot decode: {}", escaped(shown_name(path), 4096), picture.error().text),
+        fmt::format("{}: {}{}", name, known ? "cannot decode: " : "", picture.error().text),
         picture.error().kind};
   }
   return picture;
-}
-
-bool is_jpeg_file(const std::string& path, const Limits& limits) {
-  const Result<std::string> bytes = read_file(path, limits.file_bytes);
-  return bytes && bytes->starts_with("\xFF\xD8\xFF");
 }
 
 std::vector<AssetFile> locate_files(const LoadedScene& scene, const AssetAccess& access,

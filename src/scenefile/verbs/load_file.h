@@ -1,6 +1,7 @@
 #pragma once
 // Loads scenes from files.
 
+#include "scenefile/asset/image_file.h"
 #include "scenefile/io/asset_roots.h"
 #include "scenefile/io/folder.h"
 #include "scenefile/verbs/load_scene.h"
@@ -34,12 +35,10 @@ LoadedScene load_scene_file(const std::string& path, const LoadSettings& setting
 void load_written_file(LoadedScene& scene, const LoadSettings& settings = {},
                        const AssetAccess& access = {});
 
-/// The picture in a file. The error names the file.
-Result<Texture> load_picture_file(const std::string& path, const Limits& limits = {});
-
-/// Whether the file is a JPEG, by its first bytes: its colors are not exactly those that were
-/// stored.
-bool is_jpeg_file(const std::string& path, const Limits& limits = {});
+/// The picture in a file; `layer` as for decode_picture(). The error names the file, and says so if
+/// it is a scene.
+Result<DecodedPicture> load_picture_file(const std::string& path, std::string_view layer = {},
+                                         const Limits& limits = {});
 
 /// A fingerprint (base/hash.h) of the bytes of a file, or of the error if it cannot be read.
 std::uint64_t file_fingerprint(const std::string& path, const Limits& limits = {});

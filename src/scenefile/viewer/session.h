@@ -45,6 +45,7 @@ struct SessionSetup {
   std::function<void()> wake{};               ///< called from other threads when tick() has work
   ExplainPixel explain_pixel{};               ///< empty: pixels are not explained
   FindCause find_cause{};                     ///< empty: causes are not looked for
+  std::string layer{};                        ///< of references that are EXR files with layers
   std::string recent_files{};                 ///< path of the recent files; empty: not kept
 };
 

@@ -220,7 +220,7 @@ void accept(Session& session, std::shared_ptr<SceneOnShow> scene) {
 }
 
 // Runs on another thread.
-ReadPicture read_picture(const std::string& path) {
+ReadPicture read_picture(const std::string& path, const std::string& layer) {
   ReadPicture read;
   const Limits limits;
   const Result<std::string> bytes = read_file(path, limits.file_bytes);
@@ -229,8 +229,10 @@ ReadPicture read_picture(const std::string& path) {
     return read;
   }
   read.is_picture = is_image(*bytes);
-  if (Result<Texture> picture = decode_image(*bytes, limits)) {
-    read.picture = *std::move(picture);
+  if (Result<DecodedPicture> picture = decode_picture(*bytes, layer, limits)) {
+    read.picture = std::move(picture->texture);
+  } else if (!read.is_picture && is_scene_name(path)) {
+    read.error = fmt::format("{} is a scene, not a picture", path);
   } else {
     read.error = fmt::format("{}: {}", path, picture.error().text);
   }
@@ -239,8 +241,9 @@ ReadPicture read_picture(const std::string& path) {
 
 void read_next_picture(Session& session) {
   if (!session.pictures.empty() && !session.reading.busy()) {
-    session.reading.start([path = session.pictures.front().path, wake = session.setup.wake] {
-      ReadPicture read = read_picture(path);
+    session.reading.start([path = session.pictures.front().path, layer = session.setup.layer,
+                           wake = session.setup.wake] {
+      ReadPicture read = read_picture(path, layer);
       wake();
       return read;
     });

@@ -1,5 +1,6 @@
 #include "scenefile/viewer/start_panel.h"
 
+#include "scenefile/asset/image_file.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/recognize.h"
 #include "scenefile/io/folder.h"
@@ -10,16 +11,6 @@
 
 namespace scenefile::viewer {
 
-namespace {
-
-// By its extension: reading every file of a large folder takes too long.
-bool is_picture_name(std::string_view name) {
-  const std::string lower = lower_case(name);
-  return lower.ends_with(".png") || lower.ends_with(".jpg") || lower.ends_with(".jpeg");
-}
-
-}  // namespace
-
 bool list_choices(const std::string& folder, std::vector<Choice>& choices) {
   choices.clear();
   for (FolderEntry& entry : entries_of(folder)) {
@@ -27,7 +18,7 @@ bool list_choices(const std::string& folder, std::vector<Choice>& choices) {
       choices.push_back({ChoiceKind::folder, std::move(entry.name), std::move(entry.path)});
     } else if (is_scene_name(entry.name)) {
       choices.push_back({ChoiceKind::scene, std::move(entry.name), std::move(entry.path)});
-    } else if (is_picture_name(entry.name)) {
+    } else if (is_picture_name(entry.name)) {  // reading every file of a folder takes too long
       choices.push_back({ChoiceKind::picture, std::move(entry.name), std::move(entry.path)});
     }
   }

@@ -1,0 +1,26 @@
+// Takes the place of exr_reader.cpp in builds without OpenEXR.
+
+#include "scenefile/asset/codec.h"
+#include "scenefile/asset/exr_signature.h"
+
+namespace scenefile {
+
+namespace {
+
+bool recognizes_exr(std::string_view bytes) {
+  return has_exr_signature(bytes);
+}
+
+Result<ImageHeader> read_exr_header(std::string_view) {
+  return input_error("this build cannot read OpenEXR files; convert it to PFM or PNG");
+}
+
+Result<void> decode_exr(std::string_view, std::string_view, Image&) {
+  return read_exr_header({}).error();
+}
+
+}  // namespace
+
+const Codec exr_codec{{"EXR", ".exr"}, recognizes_exr, read_exr_header, nullptr, decode_exr};
+
+}  // namespace scenefile

@@ -263,11 +263,11 @@ void bind_comparisons(py::module_& m) {
                                return py::make_tuple(corner.x, corner.y, size.x, size.y);
                              })
       .def_property_readonly("drawn_with", [](const Comparison& c) { return c.found.drawn_with; })
-      .def_property_readonly(
-          "heat_map",
-          [](const Comparison& c) {
-            return array_of(heat_map(c.found.reference_of(c.reference), c.found.test_of(c.test)));
-          })
+      .def_property_readonly("heat_map",
+                             [](const Comparison& c) {
+                               return array_of(heat_map(c.found.reference_of(c.reference.texture),
+                                                        c.found.test_of(c.test.texture)));
+                             })
       .def_property_readonly("flip_map",
                              [](const Comparison& c) {
                                const std::vector<float>& errors = c.found.flip_errors;

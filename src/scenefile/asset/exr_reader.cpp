@@ -21,14 +21,14 @@ namespace scenefile {
 namespace {
 
 // The file, and the last error, stored by a function that must not throw.
-struct Source {
+struct ExrSource {
   std::string_view bytes;
   std::array<char, 160> message{};
 };
 
 extern "C" std::int64_t exr_fetch(exr_const_context_t, void* user, void* to, std::uint64_t count,
                                   std::uint64_t at, exr_stream_error_func_ptr_t) {
-  const std::string_view bytes = static_cast<const Source*>(user)->bytes;
+  const std::string_view bytes = static_cast<const ExrSource*>(user)->bytes;
   const std::uint64_t size = bytes.size();
   const std::uint64_t there = std::min(count, size - std::min(at, size));
   std::memcpy(to, bytes.data() + std::min(at, size), there);
@@ -36,14 +36,14 @@ extern "C" std::int64_t exr_fetch(exr_const_context_t, void* user, void* to, std
 }
 
 extern "C" std::int64_t exr_size(exr_const_context_t, void* user) {
-  return static_cast<std::int64_t>(static_cast<const Source*>(user)->bytes.size());
+  return static_cast<std::int64_t>(static_cast<const ExrSource*>(user)->bytes.size());
 }
 
 extern "C" void exr_failed(exr_const_context_t context, exr_result_t, const char* text) {
   void* user = nullptr;
   if (context != nullptr && exr_get_user_data(context, &user) == EXR_ERR_SUCCESS &&
       user != nullptr) {
-    auto& message = static_cast<Source*>(user)->message;
+    auto& message = static_cast<ExrSource*>(user)->message;
     std::strncpy(message.data(), text, message.size() - 1);
   }
 }
@@ -88,12 +88,12 @@ class ExrFile {
   }
 
  private:
-  Source source_;
+  ExrSource source_;
   exr_context_t context_ = nullptr;
   Result<void> opened_;
 };
 
-struct Window {
+struct ExrWindow {
   std::int64_t x0 = 0;
   std::int64_t y0 = 0;
   std::int64_t x1 = -1;  // beyond the last
@@ -103,28 +103,28 @@ struct Window {
   std::int64_t height() const { return std::max<std::int64_t>(y1 - y0, 0); }
 };
 
-Window window_of(const exr_attr_box2i_t& box) {
+ExrWindow exr_window(const exr_attr_box2i_t& box) {
   return {box.min.x, box.min.y, std::int64_t{box.max.x} + 1, std::int64_t{box.max.y} + 1};
 }
 
 // The versions in use do not decode DWA, and B44 only partly right.
-bool is_supported(exr_compression_t compression) {
+bool is_supported_compression(exr_compression_t compression) {
   return compression <= EXR_COMPRESSION_PXR24;
 }
 
 // A part of the file with pixels, not with deep samples.
-struct Part {
+struct ExrPart {
   int index = 0;
   bool tiled = false;
-  Window data;
+  ExrWindow data;
   std::int64_t chunk_width = 0;
   std::int64_t chunk_height = 0;
   std::uint64_t chunk_bytes = 0;
   std::uint64_t chunks = 0;
 };
 
-Result<Part> read_part(const ExrFile& file, int index, bool tiled) {
-  Part part;
+Result<ExrPart> read_exr_part(const ExrFile& file, int index, bool tiled) {
+  ExrPart part;
   part.index = index;
   part.tiled = tiled;
   exr_attr_box2i_t box{};
@@ -143,10 +143,10 @@ Result<Part> read_part(const ExrFile& file, int index, bool tiled) {
       return read.error();
     }
   }
-  if (!is_supported(compression)) {
+  if (!is_supported_compression(compression)) {
     return input_error("B44 and DWA compression are not supported; save it with ZIP or PIZ");
   }
-  part.data = window_of(box);
+  part.data = exr_window(box);
   part.chunk_width = tiled ? tile_width : part.data.width();
   part.chunk_height = rows;
   part.chunks = static_cast<std::uint64_t>(std::max(chunks, 0));
@@ -156,19 +156,19 @@ Result<Part> read_part(const ExrFile& file, int index, bool tiled) {
   return part;
 }
 
-Result<std::vector<Part>> read_parts(const ExrFile& file) {
+Result<std::vector<ExrPart>> read_exr_parts(const ExrFile& file) {
   int count = 0;
   if (const Result<void> read = file.check(exr_get_count(file.get(), &count)); !read) {
     return read.error();
   }
-  std::vector<Part> parts;
+  std::vector<ExrPart> parts;
   for (int i = 0; i < count; ++i) {
     exr_storage_t storage{};
     if (const Result<void> read = file.check(exr_get_storage(file.get(), i, &storage)); !read) {
       return read.error();
     }
     if (storage == EXR_STORAGE_SCANLINE || storage == EXR_STORAGE_TILED) {
-      Result<Part> part = read_part(file, i, storage == EXR_STORAGE_TILED);
+      Result<ExrPart> part = read_exr_part(file, i, storage == EXR_STORAGE_TILED);
       if (!part) {
         return part.error();
       }
@@ -190,7 +190,7 @@ Result<ImageHeader> read_exr_header(std::string_view bytes) {
   if (!file.opened()) {
     return file.opened().error();
   }
-  const Result<std::vector<Part>> parts = read_parts(file);
+  const Result<std::vector<ExrPart>> parts = read_exr_parts(file);
   if (!parts) {
     return parts.error();
   }
@@ -199,9 +199,9 @@ Result<ImageHeader> read_exr_header(std::string_view bytes) {
     return read.error();
   }
   ImageHeader header;
-  header.width = static_cast<std::uint64_t>(window_of(box).width());
-  header.height = static_cast<std::uint64_t>(window_of(box).height());
-  for (const Part& part : *parts) {
+  header.width = static_cast<std::uint64_t>(exr_window(box).width());
+  header.height = static_cast<std::uint64_t>(exr_window(box).height());
+  for (const ExrPart& part : *parts) {
     const auto colors =
         3 * sizeof(float) * static_cast<std::uint64_t>(part.chunk_width * part.chunk_height);
     // The library has up to four buffers for a chunk.
@@ -214,23 +214,23 @@ Result<ImageHeader> read_exr_header(std::string_view bytes) {
 }
 
 // What can be shown as colors.
-struct Layer {
+struct ExrLayer {
   std::string name;    // empty for the channels R, G, B or Y of the only or first part
   bool color = false;  // these, or another layer with R, G, B
   int part = 0;        // in the list of parts
   std::array<std::string, 3> channels;  // full names; all the same for gray
 };
 
-struct Channel {
+struct ExrChannel {
   std::string layer;
   std::string name;  // after the point
   std::string full;
   bool whole = true;  // not subsampled
 };
 
-std::vector<Channel> channels_of(const ExrFile& file, const Part& part) {
+std::vector<ExrChannel> exr_channels(const ExrFile& file, const ExrPart& part) {
   const exr_attr_chlist_t* list = nullptr;
-  std::vector<Channel> channels;
+  std::vector<ExrChannel> channels;
   if (exr_get_channels(file.get(), part.index, &list) == EXR_ERR_SUCCESS) {
     for (int i = 0; i < list->num_channels; ++i) {
       const exr_attr_chlist_entry_t& entry = list->entries[i];
@@ -246,9 +246,9 @@ std::vector<Channel> channels_of(const ExrFile& file, const Part& part) {
 }
 
 // `channels`: those of the layer.
-std::optional<Layer> layer_of(const std::vector<Channel>& channels) {
+std::optional<ExrLayer> exr_layer(const std::vector<ExrChannel>& channels) {
   const auto named = [&](std::string_view name) {
-    return std::find_if(channels.begin(), channels.end(), [&](const Channel& channel) {
+    return std::find_if(channels.begin(), channels.end(), [&](const ExrChannel& channel) {
       return channel.whole && equal_ignoring_case(channel.name, name);
     });
   };
@@ -259,7 +259,7 @@ std::optional<Layer> layer_of(const std::vector<Channel>& channels) {
     if (luminance_only && (named("X") != channels.end() || named("Z") != channels.end())) {
       continue;  // coordinates
     }
-    Layer layer;
+    ExrLayer layer;
     layer.color = names[0] != "X";
     bool all = true;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -267,29 +267,30 @@ std::optional<Layer> layer_of(const std::vector<Channel>& channels) {
       all = all && found != channels.end();
       layer.channels[i] = found != channels.end() ? found->full : "";
     }
-    const bool chroma = std::any_of(channels.begin(), channels.end(), [](const Channel& channel) {
-      return channel.name == "RY" || channel.name == "BY";
-    });
+    const bool chroma = std::any_of(
+        channels.begin(), channels.end(),
+        [](const ExrChannel& channel) { return channel.name == "RY" || channel.name == "BY"; });
     if (all && !(luminance_only && chroma)) {
       return layer;
     }
   }
   if (channels.size() == 1 && channels.front().whole) {
     const std::string& name = channels.front().full;
-    return Layer{{}, false, 0, {name, name, name}};
+    return ExrLayer{{}, false, 0, {name, name, name}};
   }
   return std::nullopt;
 }
 
-std::vector<Layer> layers_of(const ExrFile& file, const std::vector<Part>& parts) {
-  std::vector<Layer> layers;
+std::vector<ExrLayer> exr_layers(const ExrFile& file, const std::vector<ExrPart>& parts) {
+  std::vector<ExrLayer> layers;
   for (std::size_t p = 0; p < parts.size(); ++p) {
-    std::vector<Channel> rest = channels_of(file, parts[p]);
+    std::vector<ExrChannel> rest = exr_channels(file, parts[p]);
     while (!rest.empty()) {
       const std::string name = rest.front().layer;
-      const auto others = std::stable_partition(
-          rest.begin(), rest.end(), [&](const Channel& channel) { return channel.layer == name; });
-      std::optional<Layer> layer = layer_of({rest.begin(), others});
+      const auto others =
+          std::stable_partition(rest.begin(), rest.end(),
+                                [&](const ExrChannel& channel) { return channel.layer == name; });
+      std::optional<ExrLayer> layer = exr_layer({rest.begin(), others});
       rest.erase(rest.begin(), others);
       if (layer) {
         layer->part = static_cast<int>(p);
@@ -307,7 +308,7 @@ std::vector<Layer> layers_of(const ExrFile& file, const std::vector<Part>& parts
   return layers;
 }
 
-std::string names_of(const std::vector<Layer>& layers) {
+std::string exr_layer_names(const std::vector<ExrLayer>& layers) {
   constexpr std::size_t most = 20;
   std::string names;
   for (std::size_t i = 0; i < std::min(layers.size(), most); ++i) {
@@ -319,18 +320,18 @@ std::string names_of(const std::vector<Layer>& layers) {
                               : names;
 }
 
-Result<Layer> choose_layer(const ExrFile& file, const std::vector<Part>& parts,
-                           std::string_view name) {
-  std::vector<Layer> layers = layers_of(file, parts);
+Result<ExrLayer> choose_exr_layer(const ExrFile& file, const std::vector<ExrPart>& parts,
+                                  std::string_view name) {
+  std::vector<ExrLayer> layers = exr_layers(file, parts);
   if (layers.empty()) {
-    const std::vector<Channel> channels = channels_of(file, parts.front());
-    const bool chroma = std::any_of(channels.begin(), channels.end(), [](const Channel& channel) {
-      return channel.name == "RY" || channel.name == "BY";
-    });
+    const std::vector<ExrChannel> channels = exr_channels(file, parts.front());
+    const bool chroma = std::any_of(
+        channels.begin(), channels.end(),
+        [](const ExrChannel& channel) { return channel.name == "RY" || channel.name == "BY"; });
     return input_error(chroma ? "its colors are luminance and chroma (Y, RY, BY); save it as RGB"
                               : "it has no channels R, G, B or Y");
   }
-  const auto plain = std::find_if(layers.begin(), layers.end(), [](const Layer& layer) {
+  const auto plain = std::find_if(layers.begin(), layers.end(), [](const ExrLayer& layer) {
     return layer.name.empty() && layer.color;
   });
   if (layers.size() == 1 && (name.empty() || layers.front().name.empty())) {
@@ -340,14 +341,14 @@ Result<Layer> choose_layer(const ExrFile& file, const std::vector<Part>& parts,
     if (plain != layers.end()) {
       return *plain;
     }
-    return input_error(
-        fmt::format("it has several layers ({}); choose one with --layer NAME", names_of(layers)));
+    return input_error(fmt::format("it has several layers ({}); choose one with --layer NAME",
+                                   exr_layer_names(layers)));
   }
   const auto chosen = std::find_if(layers.begin(), layers.end(),
-                                   [&](const Layer& layer) { return layer.name == name; });
+                                   [&](const ExrLayer& layer) { return layer.name == name; });
   if (chosen == layers.end()) {
     return input_error(
-        fmt::format("it has no layer {}; it has {}", quoted(name, 80), names_of(layers)));
+        fmt::format("it has no layer {}; it has {}", quoted(name, 80), exr_layer_names(layers)));
   }
   return *chosen;
 }
@@ -355,7 +356,7 @@ Result<Layer> choose_layer(const ExrFile& file, const std::vector<Part>& parts,
 // Decodes chunks to rows of red, green and blue, `part.chunk_width` pixels long.
 class ChunkDecoder {
  public:
-  ChunkDecoder(const ExrFile& file, const Part& part, const Layer& layer)
+  ChunkDecoder(const ExrFile& file, const ExrPart& part, const ExrLayer& layer)
       : file_(file),
         part_(part),
         layer_(layer),
@@ -416,16 +417,16 @@ class ChunkDecoder {
   }
 
   const ExrFile& file_;
-  const Part& part_;
-  const Layer& layer_;
+  const ExrPart& part_;
+  const ExrLayer& layer_;
   std::vector<float> colors_;
   exr_decode_pipeline_t pipeline_ = EXR_DECODE_PIPELINE_INITIALIZER;
   bool started_ = false;
 };
 
 // Copies the colors of the chunk at `x`, `y` that are in the display window at `shown`.
-void copy_visible(const float* colors, std::int64_t row_width, const Window& chunk,
-                  const Window& shown, Image& image) {
+void copy_visible_chunk(const float* colors, std::int64_t row_width, const ExrWindow& chunk,
+                        const ExrWindow& shown, Image& image) {
   const std::int64_t x0 = std::max(chunk.x0, shown.x0);
   const std::int64_t x1 = std::min(chunk.x1, shown.x1);
   for (std::int64_t y = std::max(chunk.y0, shown.y0); y < std::min(chunk.y1, shown.y1); ++y) {
@@ -440,26 +441,26 @@ Result<void> decode_exr(std::string_view bytes, std::string_view layer_name, Ima
   if (!file.opened()) {
     return file.opened().error();
   }
-  const Result<std::vector<Part>> parts = read_parts(file);
+  const Result<std::vector<ExrPart>> parts = read_exr_parts(file);
   if (!parts) {
     return parts.error();
   }
-  const Result<Layer> layer = choose_layer(file, *parts, layer_name);
+  const Result<ExrLayer> layer = choose_exr_layer(file, *parts, layer_name);
   if (!layer) {
     return layer.error();
   }
-  const Part& part = (*parts)[static_cast<std::size_t>(layer->part)];
+  const ExrPart& part = (*parts)[static_cast<std::size_t>(layer->part)];
   exr_attr_box2i_t box{};
   if (const Result<void> read = file.check(exr_get_display_window(file.get(), 0, &box)); !read) {
     return read.error();
   }
-  const Window shown = window_of(box);
-  const Window& data = part.data;
+  const ExrWindow shown = exr_window(box);
+  const ExrWindow& data = part.data;
   ChunkDecoder decoder(file, part, *layer);
   for (std::int64_t y = data.y0; y < data.y1; y += part.chunk_height) {
     for (std::int64_t x = data.x0; x < data.x1; x += part.chunk_width) {
-      const Window place{x, y, std::min(x + part.chunk_width, data.x1),
-                         std::min(y + part.chunk_height, data.y1)};
+      const ExrWindow place{x, y, std::min(x + part.chunk_width, data.x1),
+                            std::min(y + part.chunk_height, data.y1)};
       if (place.x0 >= shown.x1 || place.x1 <= shown.x0 || place.y0 >= shown.y1 ||
           place.y1 <= shown.y0) {
         continue;
@@ -478,7 +479,7 @@ Result<void> decode_exr(std::string_view bytes, std::string_view layer_name, Ima
       if (!done) {
         return done;
       }
-      copy_visible(decoder.colors(), part.chunk_width, place, shown, image);
+      copy_visible_chunk(decoder.colors(), part.chunk_width, place, shown, image);
     }
   }
   return {};

@@ -197,7 +197,7 @@ TEST_F(DiffImages, LayersOfExrAreChosen) {
   const ProgramRun none = in_folder({"diff", "a.exr", "right.png", "--layer", "glossy"});
   EXPECT_EQ(none.status, 1);
   EXPECT_EQ(none.err,
-            "scenefile diff: a.exr: cannot decode: EXR of 64 x 48 pixels: it has no layer "
+            "scenefile: a.exr: cannot decode: EXR of 64 x 48 pixels: it has no layer "
             "\"glossy\"; it has depth, normal\n");
   EXPECT_EQ(in_folder({"explain", "ball.xml", "--pixel", "3,3", "--mine", "a.exr"}).status, 0);
 }
@@ -215,16 +215,16 @@ TEST_F(DiffImages, OtherFilesGetOneLine) {
     return run.err;
   };
   EXPECT_EQ(error({"diff", "right.png", "notes.txt"}),
-            "scenefile diff: notes.txt: not a picture that scenefile reads " + formats);
+            "scenefile: notes.txt: not a picture that scenefile reads " + formats);
   EXPECT_EQ(error({"diff", "right.png", "text.png"}),
-            "scenefile diff: text.png: not a picture that scenefile reads " + formats);
+            "scenefile: text.png: not a picture that scenefile reads " + formats);
   EXPECT_EQ(error({"diff", "text.png", "empty.png"}),
-            "scenefile diff: text.png: not a picture that scenefile reads " + formats +
-                "scenefile diff: empty.png: the file is empty\n");
+            "scenefile: text.png: not a picture that scenefile reads " + formats +
+                "scenefile: empty.png: the file is empty\n");
   EXPECT_EQ(error({"explain", "ball.xml", "--pixel", "1,1", "--mine", "notes.txt"}),
-            "scenefile explain: notes.txt: not a picture that scenefile reads " + formats);
+            "scenefile: notes.txt: not a picture that scenefile reads " + formats);
   EXPECT_EQ(error({"explain", "ball.xml", "--pixel", "1,1", "--mine", "ball.xml"}),
-            "scenefile explain: ball.xml is a scene, not a picture\n");
+            "scenefile: ball.xml is a scene, not a picture\n");
 }
 
 TEST_F(DiffImages, AnUnusableSceneIsAnError) {
@@ -366,7 +366,7 @@ TEST_F(DiffImages, OtherSizesAndFiles) {
   folder.write("text.png", "no picture");
   const ProgramRun text = in_folder({"diff", "right.png", "text.png"});
   EXPECT_EQ(text.status, 1);
-  EXPECT_THAT(text.err, HasSubstr("text.png: cannot decode: "));
+  EXPECT_THAT(text.err, HasSubstr("text.png: not a picture"));
 }
 
 TEST_F(DiffImages, AFolderOfTheCourseDecidesBetweenEqualFeatures) {

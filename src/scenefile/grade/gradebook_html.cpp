@@ -232,7 +232,7 @@ std::string measures_line(const PictureMeasures& m) {
   if (!m.same_size) {
     return "not measured";
   }
-  return fmt::format("PSNR {:.2f} dB · SSIM {:.4f} · FLIP {:.4f} · maximum difference {}/255",
+  return fmt::format("PSNR {:.2f} dB · SSIM {:.4f} · FLIP {:.4f} · maximum difference {:.6g}/255",
                      m.difference.psnr_db, m.ssim, m.flip_mean, m.difference.max);
 }
 

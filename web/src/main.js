@@ -60,8 +60,11 @@ const editor = new Editor(byId('editor'), {
   moved: (line) => !panelIsShown() && mark((some) => some.selectAt(editor.offsetOfLine(line))),
 });
 
+const setBusy = (busy) => byId('canvas').setAttribute('aria-busy', String(busy));
+
 const picture = new Picture(byId('canvas'), workers, {
   progress(done) {
+    setBusy(done < 1);
     byId('stop').hidden = done >= 1;
     byId('progress').textContent = done >= 1 ? '' : `${Math.floor(100 * done)} %`;
   },
@@ -70,6 +73,7 @@ const picture = new Picture(byId('canvas'), workers, {
     if (!scene.unsafe) {
       clearNotice('stopped');
     }
+    setBusy(false);
     byId('stop').hidden = true;
     byId('progress').textContent = `drawn in ${seconds.toFixed(2)} s${withGl ? `, ${withGl.triangles} ${picture.options.draw === 1 ? 'lines' : 'triangles'}` : ''}`;
     byId('left-out').textContent = (withGl && picture.options.profile !== 2 ? withGl.left_out : []).join('; ');
@@ -80,6 +84,7 @@ const picture = new Picture(byId('canvas'), workers, {
   failed: stopped,
   compared: showComparison,
   moved() {
+    setBusy(true);
     const elsewhere = picture.camera !== null;
     byId('view-reset').disabled = !elsewhere;
     byId('view-write').disabled = !elsewhere;
@@ -109,6 +114,7 @@ function clearNotice(key) {
 // A scene that exceeded the limits of time or memory is only tried again after it has changed.
 function stopped(error) {
   store.end(scene.id);
+  setBusy(false);
   byId('stop').hidden = true;
   byId('progress').textContent = '';
   if (error.reason === 'time' || error.reason === 'memory') {
@@ -914,14 +920,25 @@ byId('name').addEventListener('change', () => {
 
 // Storing the scene in the browser.
 
-const saveSoon = afterPause(400, async () => {
+let savesAsked = 0;
+
+function saveSoon() {
+  savesAsked += 1;
+  delete document.body.dataset.saved;
+  saveAfterPause();
+}
+
+const saveAfterPause = afterPause(400, async () => {
   const { id, path, unsafe, filesSaved } = scene;
+  const asked = savesAsked;
   try {
     const files = filesSaved ? null : scene.files;
     scene.filesSaved = true;
     await store.save({ id, path, text: editor.fileText, options: keptOptions(), unsafe }, files);
     clearNotice('saving');
-    document.body.dataset.saved = String(scene.version);
+    if (asked === savesAsked) {
+      document.body.dataset.saved = unsafe ? 'unsafe' : 'yes';
+    }
   } catch (error) {
     scene.filesSaved = filesSaved;
     notice('saving', `The browser cannot store this scene: ${error.message}`);

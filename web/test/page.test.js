@@ -65,8 +65,12 @@ afterEach(async () => {
   assert.deepEqual(problems, []);
 });
 
+/** Waits until this many pictures have been drawn, and none is in progress. */
 const drawn = (some = page, count = 1) =>
-  some.waitForFunction((n) => Number(document.getElementById('canvas').dataset.drawn ?? 0) >= n, count);
+  some.waitForFunction((n) => {
+    const canvas = document.getElementById('canvas');
+    return Number(canvas.dataset.drawn ?? 0) >= n && canvas.getAttribute('aria-busy') === 'false';
+  }, count);
 const drawnCount = () => page.evaluate(() => Number(document.getElementById('canvas').dataset.drawn ?? 0));
 
 async function open(hash = '') {
@@ -103,6 +107,20 @@ async function type(text) {
     clipboardData.setData('text/plain', pasted);
     element.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }));
   }, text);
+}
+
+/** Waits until a condition holds, outside of the page. */
+async function until(holds) {
+  for (const end = Date.now() + patience; !(await holds()); ) {
+    assert.ok(Date.now() < end, `not within ${patience / 1000} s: ${holds}`);
+    await page.waitForTimeout(20);
+  }
+}
+
+/** Changes the scene, and waits until the browser has stored it. */
+async function andSave(act) {
+  await act();
+  await page.waitForSelector('body[data-saved]');
 }
 
 async function downloaded(act) {
@@ -321,7 +339,6 @@ test('profiles, modes, features and sizes', async () => {
     const before = await drawnCount();
     await act();
     await drawn(page, before + 1);
-    await page.waitForTimeout(50);
     seen.push(await pixels());
   };
   await look(() => page.selectOption('#profile', { label: 'course' }));
@@ -399,7 +416,6 @@ test('OpenGL orbits, looks around and flies', async () => {
   const box = await page.locator('#canvas').boundingBox();
   const look = async (act) => {
     await andDraw(act);
-    await page.waitForTimeout(50);
     seen.push(await pixels());
   };
   const drag = async () => {
@@ -420,7 +436,7 @@ test('OpenGL orbits, looks around and flies', async () => {
   for (const key of ['w', 's', 'a', 'd', 'q', 'e', 'W']) {
     await look(async () => {
       await page.keyboard.down(key);
-      await page.waitForTimeout(150);
+      await page.waitForSelector('#canvas[aria-busy=true]');
       await page.keyboard.up(key);
     });
   }
@@ -435,14 +451,13 @@ test('while the camera moves, traced and OpenGL pictures are drawn', async () =>
   const before = await drawnCount();
   const first = await pixels();
   await page.focus('#canvas');
-  await page.waitForTimeout(500);
   await page.keyboard.down('d');
+  // Another picture, before the camera rests.
   await page.waitForFunction((hash) => {
     const canvas = document.getElementById('canvas');
     const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
-    return `${canvas.width} ${data.reduce((h, value) => Math.imul(h ^ value, 0x01000193), 0x811c9dc5)}` !== hash;
+    return canvas.getAttribute('aria-busy') === 'true' && `${canvas.width} ${data.reduce((h, value) => Math.imul(h ^ value, 0x01000193), 0x811c9dc5)}` !== hash;
   }, first);
-  assert.equal(await drawnCount(), before, 'the picture changes before the camera rests');
   await page.keyboard.up('d');
   await drawn(page, before + 1);
 });
@@ -528,12 +543,13 @@ test('an object in the OpenGL picture selects its line, and a line outlines its 
   assert.ok(sphere[0] < 160 && sphere[2] > 160 && sphere[2] - sphere[0] < 200, `around the ball: ${sphere}`);
   await page.locator('.cm-line', { hasText: 'name="cube"' }).click();
   await page.waitForFunction(() => document.getElementById('marks').dataset.outline === 'true');
-  await page.waitForTimeout(300);
-  const cube = await outlineBox();
-  assert.ok(cube[2] - cube[0] > sphere[2] - sphere[0] + 20, `around the board: ${cube}`);
+  await until(async () => {
+    const cube = await outlineBox();
+    return cube !== null && cube[2] - cube[0] > sphere[2] - sphere[0] + 20; // around the board
+  });
   await page.mouse.click(box.x + 4, box.y + 4);
   await page.waitForSelector('text=There is no object at this pixel.');
-  assert.equal(await outlineBox(), null);
+  await until(async () => (await outlineBox()) === null);
 });
 
 test('what is selected in the panels is outlined, also over traced pictures', async () => {
@@ -547,10 +563,7 @@ test('what is selected in the panels is outlined, also over traced pictures', as
   }
   assert.ok(boxes.every((some) => some !== null));
   await row('Global data').click();
-  for (const start = Date.now(); (await outlineBox()) !== null && Date.now() - start < 5000; ) {
-    await page.waitForTimeout(50);
-  }
-  assert.equal(await outlineBox(), null);
+  await until(async () => (await outlineBox()) === null);
 });
 
 test('lights and camera are shown on demand, and when they are selected', async () => {
@@ -641,9 +654,8 @@ test('the line ends of Windows stay', async () => {
   await giveAndDraw({ 'windows.xml': windows });
   await openPanels();
   await row('Camera').click();
-  await andDraw(() => field('Height angle').fill('50').then(() => page.keyboard.press('Tab')));
+  await andSave(() => andDraw(() => field('Height angle').fill('50').then(() => page.keyboard.press('Tab'))));
   assert.equal(await wholeText(), windows.replace('heightangle v="35"', 'heightangle v="50"'));
-  await page.waitForTimeout(900);
   await page.reload();
   await drawn();
   assert.equal(await wholeText(), windows.replace('heightangle v="35"', 'heightangle v="50"'));
@@ -826,7 +838,7 @@ test('compares with a picture, names the mistake, and explains a pixel', async (
   const views = [];
   for (const how of ['split', 'ours', 'mine', 'difference', 'flip']) {
     await page.selectOption('#compare-how', how);
-    await page.waitForTimeout(60);
+    await painted();
     views.push(await pixels());
   }
   assert.equal(new Set(views).size, 5);
@@ -911,8 +923,7 @@ test('a frame of another page shows a scene without the menus', async () => {
 
 test('keeps the scene, and two tabs do not overwrite each other', async () => {
   await open();
-  await type(hello.replace('v="35"', 'v="51"'));
-  await page.waitForTimeout(900);
+  await andSave(() => type(hello.replace('v="35"', 'v="51"')));
   const other = await newPage();
   await other.goto(`${origin}/`);
   await drawn(other);
@@ -945,9 +956,9 @@ const endless = hello
 test('a scene that takes too long is stopped and reported, and not retried automatically', async () => {
   await open();
   await give({ 'endless.xml': endless });
-  await page.waitForSelector('.notice.error', { timeout: 45_000 });
+  await page.waitForSelector('.notice.error');
   assert.match(await page.innerText('#notices'), /Stopped: /);
-  await page.waitForTimeout(900);
+  await page.waitForSelector('body[data-saved=unsafe]');
   await page.reload();
   await page.waitForSelector('text=did not finish last time');
   assert.equal(await page.inputValue('#name'), 'endless.xml');

@@ -33,6 +33,7 @@ const std::map<std::string, std::set<std::string>> may_know = {
     {"grade", {"base", "scene", "geometry", "asset", "compare", "trace"}},
     {"placement", {"base", "geometry", "asset", "scene/render_scene.h"}},
     {"trace", {"base", "geometry", "asset", "placement", "scene/render_scene.h"}},
+    {"path", {"base", "geometry", "asset", "trace", "scene/render_scene.h"}},
     {"view", {"base", "geometry", "asset", "scene/render_scene.h", "trace/render_options.h"}},
     {"explain", {"base", "scene", "geometry", "trace"}},
     {"verbs",

@@ -83,6 +83,9 @@ RenderOptions in_range(RenderOptions options) {
     crop.x1 = std::clamp(crop.x1, crop.x0 + 1, options.width);
     crop.y1 = std::clamp(crop.y1, crop.y0 + 1, options.height);
   }
+  // The maximum ends paths in rooms that absorb nothing.
+  options.continuation = std::clamp(options.continuation, 0.0, 0.99);
+  options.clamp = std::max(options.clamp, 0.0);
   options.fresnel = options.fresnel && options.profile == Profile::fine;
   return options;
 }

@@ -22,8 +22,9 @@ constexpr std::string_view profile_word(Profile p) {
 
 /// `ray` traces rays recursively; `intersect` is the course's ray caster (no shadows, reflection,
 /// refraction or textures; in the course profile only directional lights); `normals` shows (n + 1)
-/// / 2 of the world normal.
-enum class Mode : std::uint8_t { ray, intersect, normals };
+/// / 2 of the world normal; `path` traces paths of light, which only render_path() does
+/// (path/render_path.h), so it has no word.
+enum class Mode : std::uint8_t { ray, intersect, normals, path };
 inline constexpr std::array<std::string_view, 3> mode_words{"ray", "intersect", "normals"};
 constexpr std::string_view mode_word(Mode m) {
   return mode_words[static_cast<std::size_t>(m)];
@@ -63,6 +64,15 @@ struct Layer {
   friend bool operator==(const Layer&, const Layer&) = default;
 };
 
+/// How the path tracer treats materials with both Kd and Ks: `energy` adds the glossy lobe to
+/// diffuse reflection; `course` uses the lobe alone where Ks is brighter than Kd, as the pictures
+/// of the course do.
+enum class Lobe : std::uint8_t { energy, course };
+inline constexpr std::array<std::string_view, 2> lobe_words{"energy", "course"};
+constexpr std::string_view lobe_word(Lobe l) {
+  return lobe_words[static_cast<std::size_t>(l)];
+}
+
 /// Part of a picture: x0 <= x < x1, y0 <= y < y1, row 0 at the top.
 struct PixelRegion {
   int x0 = 0;
@@ -93,10 +103,21 @@ struct RenderOptions {
   std::optional<PixelRegion> crop;
   std::vector<Layer> layers;  ///< to return with the picture; lights must exist
   bool denoise = false;       ///< fine: remove noise (denoise.h)
+
+  // Mode path; docs/path.md. There max_depth counts reflections and refractions, 0: no maximum.
+  int light_samples = 1;     ///< points on lamps for each surface point; 0: found by chance only
+  bool mis = true;           ///< false: lamps are found by light samples only, except by mirrors
+  bool direct_only = false;  ///< without light that was reflected before
+  double continuation = 0;   ///< probability that a path goes on; 0: chosen by its throughput
+  Lobe lobe = Lobe::energy;
+  double clamp = 0;  ///< maximum of indirect light in a sample; 0: none
 };
 
 /// The defaults of a profile: course has no super_sample, and a max_depth of 4.
 RenderOptions default_options(Profile profile);
+/// The defaults of `samples` and `max_depth` in mode path.
+inline constexpr int path_samples = 64;
+inline constexpr int path_max_depth = 0;
 
 /// Clamps values to valid ranges. Every function that takes options does this.
 RenderOptions in_range(RenderOptions options);

@@ -22,11 +22,15 @@ struct OptionSupport {
   bool trace = true;   ///< the ray tracer
   bool gl = true;      ///< OpenGL
   bool course = true;  ///< the profile course
+  bool path = true;    ///< the mode path
+  bool ray = true;     ///< the other modes
 };
 inline constexpr OptionSupport supported_everywhere{};
 inline constexpr OptionSupport tracer_only{.gl = false};
 inline constexpr OptionSupport fine_only{.course = false};
 inline constexpr OptionSupport fine_tracer_only{.gl = false, .course = false};
+inline constexpr OptionSupport fine_rays_only{.gl = false, .course = false, .path = false};
+inline constexpr OptionSupport path_only{.gl = false, .course = false, .ray = false};
 
 constexpr bool supports_option(Engine engine, OptionSupport support) {
   switch (engine) {
@@ -45,6 +49,10 @@ constexpr bool supports_option(Profile profile, OptionSupport support) {
       return true;
   }
   return true;
+}
+
+constexpr bool supports_option(Mode mode, OptionSupport support) {
+  return mode == Mode::path ? support.path : support.ray;
 }
 
 /// When an option appears in JSON output.
@@ -67,19 +75,19 @@ concept OptionsOf = std::same_as<std::remove_const_t<T>, Struct>;
 template <OptionsOf<RenderOptions> T, typename Visit>
 constexpr void visit_options(T& options, Visit&& visit) {
   auto& [profile, mode, features, width, height, samples, min_samples, max_depth, seed, fresnel,
-         threads, crop, layers, denoise] = options;
+         threads, crop, layers, denoise, light_samples, mis, direct_only, continuation, lobe,
+         clamp] = options;
   visit(OptionField{.name = "width", .least = 1}, width);
   visit(OptionField{.name = "height", .least = 1}, height);
   visit(OptionField{"profile"}, profile);
   visit(OptionField{"mode"}, mode);
-  visit(OptionField{"features"}, features);
+  visit(OptionField{"features", {.path = false}}, features);
   visit(OptionField{.name = "max_depth", .support = tracer_only, .most = 64}, max_depth);
   visit(OptionField{.name = "samples", .support = fine_only, .least = 1, .most = 1 << 16}, samples);
-  visit(
-      OptionField{.name = "min_samples", .support = fine_tracer_only, .least = 1, .most = 1 << 16},
-      min_samples);
+  visit(OptionField{.name = "min_samples", .support = fine_rays_only, .least = 1, .most = 1 << 16},
+        min_samples);
   visit(OptionField{"seed", fine_tracer_only}, seed);
-  visit(OptionField{"fresnel", fine_tracer_only}, fresnel);
+  visit(OptionField{"fresnel", fine_rays_only}, fresnel);
   visit(OptionField{.name = "threads",
                     .support = tracer_only,
                     .changes_pixels = false,
@@ -87,8 +95,14 @@ constexpr void visit_options(T& options, Visit&& visit) {
                     .most = 1024},
         threads);
   visit(OptionField{"crop", tracer_only, true, InAnswers::when_set}, crop);
-  visit(OptionField{"layers", tracer_only, true, InAnswers::when_set}, layers);
-  visit(OptionField{"denoise", fine_tracer_only, true, InAnswers::when_set}, denoise);
+  visit(OptionField{"layers", {.gl = false, .path = false}, true, InAnswers::when_set}, layers);
+  visit(OptionField{"denoise", fine_rays_only, true, InAnswers::when_set}, denoise);
+  visit(OptionField{.name = "light_samples", .support = path_only, .most = 1024}, light_samples);
+  visit(OptionField{"mis", path_only}, mis);
+  visit(OptionField{"direct_only", path_only}, direct_only);
+  visit(OptionField{"continuation", path_only}, continuation);
+  visit(OptionField{"lobe", path_only}, lobe);
+  visit(OptionField{"clamp", path_only}, clamp);
 }
 
 /// The same for the features, under their names in the course's configuration files.

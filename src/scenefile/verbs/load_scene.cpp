@@ -60,7 +60,8 @@ bool dark_in_caster(const RenderOptions& options, const RenderScene& scene) {
 
 // Whether the picture depends on the default of transparentcoeff.
 bool guesses_transparency(const RenderOptions& options) {
-  return options.profile == Profile::fine && options.mode == Mode::ray && options.features.refract;
+  return options.profile == Profile::fine &&
+         (options.mode == Mode::path || (options.mode == Mode::ray && options.features.refract));
 }
 
 }  // namespace
@@ -91,8 +92,9 @@ void load_written(LoadedScene& scene, const FetchFile& fetch, const LoadSettings
 }
 
 LoadDepth depth_for(const RenderOptions& options) {
-  return options.mode == Mode::ray && options.features.texture ? LoadDepth::with_all_assets
-                                                               : LoadDepth::with_meshes;
+  return options.mode == Mode::path || (options.mode == Mode::ray && options.features.texture)
+             ? LoadDepth::with_all_assets
+             : LoadDepth::with_meshes;
 }
 
 void check_picture(LoadedScene& scene) {
@@ -107,7 +109,8 @@ void check_picture(LoadedScene& scene, const RenderOptions& options) {
   }
   ViewQuestion question;
   question.aspect = static_cast<double>(options.width) / options.height;
-  question.shadows = options.mode == Mode::ray && options.features.shadows;
+  question.shadows =
+      options.mode == Mode::path || (options.mode == Mode::ray && options.features.shadows);
   ask(scene, question);
   if (dark_in_caster(options, scene.ready.scene)) {
     scene.diagnostics.report(

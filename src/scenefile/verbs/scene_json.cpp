@@ -44,6 +44,9 @@ void add_option(Json& json, Profile profile) {
 void add_option(Json& json, Mode mode) {
   json.value(mode_word(mode));
 }
+void add_option(Json& json, Lobe lobe) {
+  json.value(lobe_word(lobe));
+}
 void add_option(Json& json, const Features& features) {
   json.begin_array();
   visit_options(features, [&](const OptionField& field, bool on) {
@@ -136,7 +139,8 @@ void add_render_options(Json& json, const RenderOptions& options) {
   visit_options(options, [&](const OptionField& field, const auto& value) {
     const bool said = field.answers == InAnswers::always ||
                       (field.answers == InAnswers::when_set && is_set(value));
-    if (said && supports_option(options.profile, field.support)) {
+    if (said && supports_option(options.profile, field.support) &&
+        supports_option(options.mode, field.support)) {
       json.key(field.name);
       add_option(json, value);
     }

@@ -8,6 +8,7 @@ DrawMode draw_mode(Mode mode) {
   switch (mode) {
     case Mode::ray:
     case Mode::intersect:
+    case Mode::path:
       return DrawMode::shaded;
     case Mode::normals:
       return DrawMode::normals;

@@ -1,0 +1,216 @@
+#include "scenefile/path/lamps.h"
+
+#include "scenefile/trace/parts.h"
+#include "scenefile/trace/surface_point.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace scenefile {
+
+namespace {
+
+// More lamps than this take too much memory.
+constexpr std::size_t most_lamps = 1u << 22;
+
+// The mean of a texture's colors; white if it cannot be used.
+Color mean_of(const Assets& assets, std::uint32_t map) {
+  if (map == no_map || assets.textures[map].empty()) {
+    return Color(1);
+  }
+  const std::vector<std::uint8_t>& rgb = assets.textures[map].rgb;
+  glm::dvec3 sum(0);
+  for (std::size_t i = 0; i < rgb.size(); i += 3) {
+    sum += glm::dvec3(rgb[i], rgb[i + 1], rgb[i + 2]);
+  }
+  return sum / (255.0 * static_cast<double>(rgb.size() / 3));
+}
+
+std::vector<std::vector<double>> mean_radiance(const Assets& assets) {
+  std::vector<std::vector<double>> radiance;
+  for (const MeshMaterials& mesh : assets.mesh_materials) {
+    std::vector<double>& of_mesh = radiance.emplace_back();
+    for (const FaceMaterial& m : mesh.materials) {
+      const Color emission(m.emission);
+      of_mesh.push_back(
+          emission == Color(0) ? 0 : luminance(emission * mean_of(assets, m.emission_map)));
+    }
+  }
+  return radiance;
+}
+
+// Whether two places are the same is all that counts.
+bool ordered(const DAffine& a, const DAffine& b) {
+  return std::memcmp(&a, &b, sizeof(DAffine)) < 0;
+}
+
+// Maps the unit square to barycentric weights, uniformly (Heitz, "A Low-Distortion Map Between
+// Triangle and Square", 2019).
+glm::dvec2 in_triangle(const glm::dvec2& p) {
+  return p.y > p.x ? glm::dvec2(p.x / 2, p.y - p.x / 2) : glm::dvec2(p.x - p.y / 2, p.y / 2);
+}
+
+}  // namespace
+
+Color map_color(std::span<const Pyramid> pyramids, std::uint32_t map, const glm::dvec2& uv) {
+  return map == no_map || pyramids[map].empty()
+             ? Color(1)
+             : lookup_filtered(pyramids[map], RenderTexture{map}, uv, UvFootprint());
+}
+
+AliasTable::AliasTable(const std::vector<double>& weights) : entries_(weights.size()) {
+  double sum = 0;
+  for (const double w : weights) {
+    sum += w;
+  }
+  // Relative to the mean; entries below it are filled up by those above it.
+  std::vector<double> rest(weights.size());
+  std::vector<std::uint32_t> small;
+  std::vector<std::uint32_t> large;
+  for (std::uint32_t i = 0; i < weights.size(); ++i) {
+    rest[i] = weights[i] / sum * static_cast<double>(weights.size());
+    (rest[i] < 1 ? small : large).push_back(i);
+  }
+  while (!small.empty() && !large.empty()) {
+    const std::uint32_t low = small.back();
+    const std::uint32_t high = large.back();
+    small.pop_back();
+    entries_[low] = {rest[low], high};
+    rest[high] -= 1 - rest[low];
+    if (rest[high] < 1) {
+      large.pop_back();
+      small.push_back(high);
+    }
+  }
+}
+
+std::uint32_t AliasTable::choose(double& u) const {
+  const double place = u * static_cast<double>(entries_.size());
+  const auto index =
+      std::min(static_cast<std::uint32_t>(place), static_cast<std::uint32_t>(entries_.size() - 1));
+  const auto& [keep, other] = entries_[index];
+  const double rest = place - index;
+  constexpr double below_one = 1 - 0x1p-53;
+  u = std::min(rest < keep ? rest / keep : (rest - keep) / (1 - keep), below_one);
+  return rest < keep ? index : other;
+}
+
+Lamps::Lamps(const Parts& parts, const Assets& assets, std::span<const Pyramid> pyramids)
+    : assets_(&assets), pyramids_(pyramids), radiance_(mean_radiance(assets)) {
+  if (!parts.groups.empty()) {
+    find_places(parts);
+    add_triangles(parts);
+  }
+}
+
+void Lamps::find_places(const Parts& parts) {
+  const auto shines = [&](std::uint32_t mesh) {
+    return mesh < radiance_.size() && std::any_of(radiance_[mesh].begin(), radiance_[mesh].end(),
+                                                  [](double radiance) { return radiance > 0; });
+  };
+  // Groups come after those that they contain.
+  std::vector<bool> group_shines(parts.groups.size());
+  const auto part_shines = [&](const Part& part) {
+    return (part.kind == PartKind::mesh && shines(part.target)) ||
+           (part.kind == PartKind::group && group_shines[part.target]);
+  };
+  for (std::size_t g = 0; g < parts.groups.size(); ++g) {
+    const std::vector<Part>& list = parts.groups[g].parts;
+    group_shines[g] = std::any_of(list.begin(), list.end(), part_shines);
+  }
+  struct Entered {
+    std::uint32_t group = 0;
+    DAffine group_from_world;
+  };
+  std::vector<Entered> open{{parts.root, {}}};
+  while (!open.empty() && places_.size() + open.size() <= most_lamps) {
+    const Entered entered = open.back();
+    open.pop_back();
+    for (const Part& part : parts.groups[entered.group].parts) {
+      if (!part_shines(part)) {
+        continue;
+      }
+      const DAffine part_from_world = DAffine(part.part_from_group) * entered.group_from_world;
+      if (part.kind == PartKind::group) {
+        open.push_back({part.target, part_from_world});
+      } else {
+        places_.push_back({inverse(part_from_world), part_from_world, part.target});
+      }
+    }
+  }
+  if (!open.empty()) {
+    places_.clear();
+  }
+  // A mesh that is twice at the same place shines once.
+  std::sort(places_.begin(), places_.end(), [](const Place& a, const Place& b) {
+    return a.mesh != b.mesh ? a.mesh < b.mesh : ordered(a.object_from_world, b.object_from_world);
+  });
+  places_.erase(std::unique(places_.begin(), places_.end(),
+                            [](const Place& a, const Place& b) {
+                              return a.mesh == b.mesh && a.object_from_world == b.object_from_world;
+                            }),
+                places_.end());
+}
+
+void Lamps::add_triangles(const Parts& parts) {
+  std::vector<double> powers;
+  for (std::uint32_t p = 0; p < places_.size(); ++p) {
+    const Place& place = places_[p];
+    const Mesh& mesh = assets_->meshes[place.mesh];
+    const std::vector<std::uint32_t>& materials = assets_->mesh_materials[place.mesh].of_triangle;
+    const std::vector<std::uint32_t>& hit = parts.meshes[place.mesh].triangles;
+    const std::size_t count = hit.empty() ? mesh.triangles.size() : hit.size();
+    for (std::size_t i = 0; i < count && triangles_.size() <= most_lamps; ++i) {
+      const std::uint32_t index = hit.empty() ? static_cast<std::uint32_t>(i) : hit[i];
+      const std::uint32_t material = materials.empty() ? mesh_no_index : materials[index];
+      if (material == mesh_no_index || radiance_[place.mesh][material] <= 0) {
+        continue;
+      }
+      const auto& corners = mesh.triangles[index];
+      const auto edge = [&](int corner) {
+        return place.world_from_object.vector(glm::dvec3(mesh.positions[corners[corner]]) -
+                                              glm::dvec3(mesh.positions[corners[0]]));
+      };
+      const double power =
+          glm::length(glm::cross(edge(1), edge(2))) / 2 * radiance_[place.mesh][material];
+      if (power > 0 && std::isfinite(power)) {
+        triangles_.push_back({p, index});
+        powers.push_back(power);
+        power_ += power;
+      }
+    }
+  }
+  if (triangles_.size() > most_lamps || !std::isfinite(power_)) {
+    triangles_.clear();
+  }
+  if (!triangles_.empty()) {
+    table_ = AliasTable(powers);
+  }
+}
+
+LampPoint Lamps::sample(glm::dvec2 point) const {
+  const Triangle& triangle = triangles_[table_.choose(point.x)];
+  const Place& place = places_[triangle.place];
+  const Mesh& mesh = assets_->meshes[place.mesh];
+  const glm::dvec2 weights = in_triangle(point);
+  const Surface surface = surface_at(mesh, triangle.index, weights.x, weights.y, false);
+  const auto& corners = mesh.triangles[triangle.index];
+  const auto corner = [&](int i) { return glm::dvec3(mesh.positions[corners[i]]); };
+  const std::uint32_t index = assets_->mesh_materials[place.mesh].of_triangle[triangle.index];
+  const FaceMaterial& material = assets_->mesh_materials[place.mesh].materials[index];
+  LampPoint lamp;
+  lamp.position = place.world_from_object.point(corner(0) + weights.x * (corner(1) - corner(0)) +
+                                                weights.y * (corner(2) - corner(0)));
+  lamp.normal = world_normal(place.object_from_world, surface.normal);
+  lamp.emission =
+      Color(material.emission) * map_color(pyramids_, material.emission_map, surface.uv);
+  lamp.density = density(place.mesh, index);
+  return lamp;
+}
+
+double Lamps::density(std::uint32_t mesh, std::uint32_t material) const {
+  return empty() ? 0 : radiance_[mesh][material] / power_;
+}
+
+}  // namespace scenefile

@@ -1,0 +1,93 @@
+#pragma once
+// Lamps: the triangles of meshes whose face material emits light (Ke), in world space, and a random
+// choice among them.
+
+#include "scenefile/trace/accelerator.h"
+#include "scenefile/trace/color.h"
+#include "scenefile/trace/texture_lookup.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace scenefile {
+
+/// Relative luminance of linear colors (ITU-R BT.709).
+inline double luminance(const Color& c) {
+  return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z;
+}
+
+/// The color of a map of a face material; white if there is none, or it could not be used.
+Color map_color(std::span<const Pyramid> pyramids, std::uint32_t map, const glm::dvec2& uv);
+
+/// A random point on a lamp.
+struct LampPoint {
+  glm::dvec3 position{0};
+  glm::dvec3 normal{0, 1, 0};  ///< unit length, on the side that emits
+  Color emission{0};           ///< radiance
+  double density = 0;          ///< per area in world space
+};
+
+/// Chooses an index with probability weight / sum of weights in constant time (Walker's alias
+/// method; Vose, "A Linear Algorithm for Generating Random Numbers with a Given Distribution",
+/// 1991).
+class AliasTable {
+ public:
+  AliasTable() = default;
+  /// Weights are not negative; their sum is finite and positive.
+  explicit AliasTable(const std::vector<double>& weights);
+
+  /// `u` in [0, 1); becomes a new number in [0, 1) that is independent of the choice.
+  std::uint32_t choose(double& u) const;
+  std::size_t size() const { return entries_.size(); }
+
+ private:
+  struct Entry {
+    double keep = 1;
+    std::uint32_t other = 0;
+  };
+  std::vector<Entry> entries_;
+};
+
+/// Chooses triangles by their power: area times luminance of the mean emission.
+class Lamps {
+ public:
+  Lamps() = default;
+  /// The lamps that rays can hit. Refers to the assets. Scenes with extremely many are treated as
+  /// having none: paths then only find them by chance.
+  Lamps(const Parts& parts, const Assets& assets, std::span<const Pyramid> pyramids);
+
+  bool empty() const { return triangles_.empty(); }
+  std::size_t size() const { return triangles_.size(); }
+  /// `point` is uniform in the unit square.
+  LampPoint sample(glm::dvec2 point) const;
+  /// The density, per area, of sample() for a point on a triangle with a face material; 0: not a
+  /// lamp.
+  double density(std::uint32_t mesh, std::uint32_t material) const;
+
+ private:
+  struct Place {
+    DAffine world_from_object;
+    DAffine object_from_world;
+    std::uint32_t mesh = 0;
+  };
+  struct Triangle {
+    std::uint32_t place = 0;
+    std::uint32_t index = 0;  ///< in the mesh
+  };
+
+  void find_places(const Parts& parts);
+  void add_triangles(const Parts& parts);
+
+  const Assets* assets_ = nullptr;
+  std::span<const Pyramid> pyramids_;
+  std::vector<std::vector<double>> radiance_;  ///< by mesh and face material; mean luminance
+  std::vector<Place> places_;
+  std::vector<Triangle> triangles_;
+  AliasTable table_;
+  double power_ = 0;
+};
+
+}  // namespace scenefile

@@ -1,0 +1,35 @@
+#pragma once
+// What all paths of a picture share, and the points of surfaces that they reach.
+
+#include "scenefile/path/bsdf.h"
+#include "scenefile/path/lamps.h"
+#include "scenefile/trace/tracer.h"
+
+#include <glm/glm.hpp>
+
+namespace scenefile {
+
+struct PathScene {
+  PathScene(const TraceScene& traced, const RenderScene& scene, const RenderOptions& options);
+
+  Tracer tracer;  ///< of mode ray, with all features
+  RenderOptions options;
+  CameraRays camera;
+  Transmission transmission;  ///< for shadow rays to the scene's lights
+  Lamps lamps;
+};
+
+/// A point of a surface on a path.
+struct PathPoint {
+  glm::dvec3 position{0};
+  double offset = 0;  ///< t of the nearest hit that counts on rays from here
+  Facing facing;
+  Bsdf bsdf;
+  Color emission{0};        ///< radiance toward the eye
+  double lamp_density = 0;  ///< of Lamps::sample() for this point, per area
+};
+
+/// `ray`: of unit length.
+PathPoint path_point(const PathScene& scene, const Ray& ray, const Hit& hit);
+
+}  // namespace scenefile

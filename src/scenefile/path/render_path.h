@@ -1,0 +1,36 @@
+#pragma once
+// The path tracer: light by paths from the camera, for scenes whose faces emit light as well as for
+// scenes with lights. Equations and conventions: docs/path.md.
+
+#include "scenefile/path/path_state.h"
+
+namespace scenefile {
+
+/// Optional arguments of render_path().
+struct PathControl {
+  Progress progress = {};
+  Preview preview = {};
+  /// Stops before the next pass if it would end later than this after the call; 0: no limit. There
+  /// is at least one sample per pixel.
+  double seconds = 0;
+  /// A structure built before for the same scene and assets; null: render_path() builds it.
+  const TraceScene* traced = nullptr;
+};
+
+struct PathResult {
+  PathState state;
+  Image image;                ///< linear
+  std::uint32_t samples = 0;  ///< per pixel; if cancelled the fewest
+  RenderStatus status = RenderStatus::complete;
+  RenderStats stats;
+};
+
+/// Whether the faces of a mesh emit light, so that the scene is meant for a path tracer.
+bool has_lamps(const Assets& assets);
+
+/// Renders the scene with options.samples per pixel, fewer if the time is over; all else as
+/// render(). The picture only depends on scene, assets, options and the number of samples.
+PathResult render_path(const RenderScene& scene, const Assets& assets, const RenderOptions& options,
+                       const PathControl& control = {});
+
+}  // namespace scenefile

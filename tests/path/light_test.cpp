@@ -1,0 +1,367 @@
+// The light in pictures: formulas, and agreement of independent ways of sampling.
+
+#include "path/rooms.h"
+#include "path/statistics.h"
+#include "scenefile/path/path_kernel.h"
+
+#include <numbers>
+#include <string>
+
+namespace scenefile::path_test {
+namespace {
+
+using std::numbers::pi;
+
+// A closed box from -1 to 1 whose walls all have this material, seen from inside.
+Room closed_box(const FaceMaterial& walls) {
+  Room room;
+  Model model;
+  model.box(glm::vec3(-1), glm::vec3(1), true, model.material(walls));
+  room.add(model);
+  room.look({0.3, 0.2, 0.5}, {-0.4, -0.1, -1}, 70);
+  return room;
+}
+
+void expect_everywhere(const Image& image, double value, double tolerance) {
+  const glm::dvec3 mean = mean_of(image);
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(mean[c], value, tolerance * value);
+  }
+}
+
+// In a closed box with emission E and albedo r, radiance is E / (1 - r) everywhere.
+TEST(PathFurnace, DiffuseWalls) {
+  for (const int light_samples : {0, 1, 4}) {
+    SCOPED_TRACE(light_samples);
+    RenderOptions options = path_options(8, 8, 2048);
+    options.light_samples = light_samples;
+    options.continuation = light_samples == 4 ? 0.7 : 0;
+    const PathResult r = draw(closed_box(diffuse(glm::vec3(0.5f), glm::vec3(0.25f))), options);
+    expect_everywhere(r.image, 0.5, 1e-3);
+    EXPECT_EQ(r.state.dropped, 0u);
+  }
+}
+
+TEST(PathFurnace, MirrorWalls) {
+  FaceMaterial walls = mirror(glm::vec3(0.5f));
+  walls.emission = glm::vec3(0.25f);
+  expect_everywhere(draw(closed_box(walls), path_options(8, 8, 2048)).image, 0.5, 1e-3);
+}
+
+// Glass changes nothing in uniform light: it neither absorbs nor scales radiance.
+TEST(PathFurnace, GlassInside) {
+  for (const float ior : {1.0f, 1.5f, 0.7f}) {
+    Room room = closed_box(diffuse(glm::vec3(0.5f), glm::vec3(0.25f)));
+    Model block;
+    block.box({-0.5, -0.6, -0.8}, {0.2, 0.3, -0.2}, false, block.material(glass(ior)));
+    room.add(block);
+    expect_everywhere(draw(room, path_options(8, 8, 2048)).image, 0.5, 1e-3);
+  }
+}
+
+// The object's own material: reflective and transparent shares, and analytic shapes.
+TEST(PathFurnace, ObjectMaterials) {
+  RenderMaterial m;
+  m.diffuse = glm::vec3(0.2f);
+  m.reflective = glm::vec3(0.1f);
+  m.transparent = glm::vec3(0.7f);
+  m.ior = 1.3f;
+  Room room = closed_box(diffuse(glm::vec3(0.5f), glm::vec3(0.25f)));
+  room.add(Shape::sphere, Affine{glm::mat3(0.8f), glm::vec3(-0.3f, 0, -0.5f)}, room.material(m));
+  expect_everywhere(draw(room, path_options(8, 8, 2048)).image, 0.5, 1e-3);
+}
+
+// A floor under a rectangular lamp; the camera looks at the origin.
+Room under_lamp(double albedo, const glm::vec3& corner, const glm::vec3& u, const glm::vec3& v,
+                float radiance) {
+  Room room;
+  Model model;
+  const std::uint32_t white = model.material(diffuse(glm::vec3(static_cast<float>(albedo))));
+  model.quad({-50, 0, 50}, {100, 0, 0}, {0, 0, -100}, white);
+  model.quad(corner, u, v, model.material(diffuse(glm::vec3(0), glm::vec3(radiance))));
+  room.add(model);
+  room.look({0, 0.5, 0.5}, {0, 0, 0}, 1e-4);
+  return room;
+}
+
+// Lambert's formula for the irradiance of a point by a polygon of uniform radiance.
+double irradiance(const std::vector<glm::dvec3>& corners, const glm::dvec3& normal) {
+  double sum = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const glm::dvec3 a = glm::normalize(corners[i]);
+    const glm::dvec3 b = glm::normalize(corners[(i + 1) % corners.size()]);
+    sum += std::acos(glm::dot(a, b)) * glm::dot(glm::normalize(glm::cross(a, b)), normal);
+  }
+  return std::abs(sum) / 2;
+}
+
+TEST(PathLight, DirectLightFollowsLambertsFormula) {
+  const glm::vec3 corner(0.5f, 1, -0.5f), u(0, 0, 2), v(-1.5f, 0.5f, 0);
+  const glm::dvec3 c(corner), du(u), dv(v);
+  const double expected = 0.6 / pi * 3 * irradiance({c, c + du, c + du + dv, c + dv}, {0, 1, 0});
+  for (const bool downward : {true, false}) {
+    const Room room =
+        downward ? under_lamp(0.6, corner, v, u, 3) : under_lamp(0.6, corner, u, v, 3);
+    for (const int light_samples : {0, 1, 3}) {
+      RenderOptions options = path_options(1, 1, 16384);
+      options.light_samples = light_samples;
+      options.direct_only = true;
+      const double seen = draw(room, options).image.rgb[0];
+      const bool faces = glm::cross(downward ? v : u, downward ? u : v).y < 0;
+      if (faces) {
+        EXPECT_NEAR(seen, expected, 2e-3 * expected) << light_samples;
+      } else {
+        EXPECT_EQ(seen, 0) << light_samples;  // lamps are black on their back
+      }
+    }
+  }
+}
+
+// A room with a lamp 1 cm below the ceiling and a block, like the Cornell box.
+Room cornell(const FaceMaterial& block_material) {
+  Room room;
+  Model model;
+  model.box({-1, 0, -1}, {1, 2, 1}, true, model.material(diffuse(glm::vec3(0.7f, 0.6f, 0.5f))));
+  model.quad({-0.3f, 1.99f, -0.3f}, {0.6f, 0, 0}, {0, 0, 0.6f},
+             model.material(diffuse(glm::vec3(0.5f), glm::vec3(12, 10, 8))));
+  model.box({-0.6f, 0, -0.6f}, {0, 0.9f, 0}, false, model.material(block_material));
+  room.add(model);
+  room.look({0, 1, 0.95}, {0, 0.9, 0}, 70);
+  return room;
+}
+
+struct Estimate {
+  Image image;
+  std::vector<float> variances;
+};
+
+Estimate estimate(const Room& room, const RenderOptions& options) {
+  PathResult r = draw(room, options);
+  return {std::move(r.image), variances_of(r.state)};
+}
+
+// Compares the luminance of all pixels.
+void expect_same_means(const Estimate& a, const Estimate& b, int tests) {
+  const double bound = sidak_bound(tests * static_cast<int>(a.variances.size()));
+  double sum = 0, variance = 0;
+  for (std::size_t i = 0; i < a.variances.size(); ++i) {
+    const auto bright = [&](const Image& image) {
+      return luminance({image.rgb[3 * i], image.rgb[3 * i + 1], image.rgb[3 * i + 2]});
+    };
+    const double difference = bright(a.image) - bright(b.image);
+    const double together = a.variances[i] + b.variances[i];
+    EXPECT_LT(std::abs(difference), bound * std::sqrt(together) + 1e-9) << "pixel " << i;
+    sum += difference;
+    variance += together;
+  }
+  EXPECT_LT(std::abs(sum), sidak_bound(tests) * std::sqrt(variance));
+}
+
+TEST(PathLight, AllWaysOfSamplingAgree) {
+  FaceMaterial both = diffuse(glm::vec3(0.3f));
+  both.specular = glm::vec3(0.5f);
+  both.shininess = 30;
+  for (const FaceMaterial& block : {both, mirror(glm::vec3(0.9f)), glass(1.5f)}) {
+    SCOPED_TRACE(block.illum);
+    const Room room = cornell(block);
+    RenderOptions options = path_options(8, 8, 1024);
+    const Estimate mis = estimate(room, options);
+    options.mis = false;
+    options.seed = 1;
+    const Estimate lights = estimate(room, options);
+    options.mis = true;
+    options.light_samples = 0;
+    options.samples = 4096;
+    options.seed = 2;
+    const Estimate surfaces = estimate(room, options);
+    expect_same_means(mis, lights, 6);
+    expect_same_means(mis, surfaces, 6);
+  }
+}
+
+TEST(PathLight, RouletteDoesNotChangeTheMean) {
+  const Room room = cornell(diffuse(glm::vec3(0.8f)));
+  RenderOptions options = path_options(8, 8, 512);
+  const Estimate by_throughput = estimate(room, options);
+  int test = 0;
+  for (const double continuation : {0.3, 0.9}) {
+    options.continuation = continuation;
+    options.seed = ++test;
+    expect_same_means(by_throughput, estimate(room, options), 2);
+  }
+}
+
+// With a constant probability, path lengths are geometric.
+TEST(PathLight, RouletteIsGeometric) {
+  Room room = closed_box(diffuse(glm::vec3(1)));
+  RenderOptions options = path_options(1, 1, 1);
+  options.continuation = 0.6;
+  const TraceScene traced(room.scene, room.assets);
+  const PathScene scene(traced, room.scene, options);
+  constexpr int count = 20000;
+  std::vector<double> counts(24);
+  for (int i = 0; i < count; ++i) {
+    RayCounts rays;
+    // Different pixels: the samples of one are stratified, which is more even than chance.
+    path_light(scene, i % 200, i / 200, 0, rays);
+    counts[std::min<std::uint64_t>(rays.secondary, 23)] += 1;
+  }
+  std::vector<double> expected;
+  for (int k = 0; k < 24; ++k) {
+    expected.push_back(count * std::pow(0.6, k) * (k < 23 ? 0.4 : 1));
+  }
+  EXPECT_LT(std::abs(chi_square_deviate(counts, expected)), sidak_bound(1));
+}
+
+TEST(PathLight, MaxDepthCutsPaths) {
+  RenderOptions options = path_options(4, 4, 512);
+  options.light_samples = 0;
+  double sum = 0.25;
+  for (const int depth : {1, 2, 3}) {
+    options.max_depth = depth;
+    sum += 0.25 * std::pow(0.5, depth);
+    expect_everywhere(draw(closed_box(diffuse(glm::vec3(0.5f), glm::vec3(0.25f))), options).image,
+                      sum, 1e-6);
+  }
+}
+
+// The lamp seen through a mirror is part of direct_only, light from a lit wall is not.
+TEST(PathLight, DirectOnlyIncludesMirrors) {
+  Room room;
+  Model model;
+  model.quad({-1, -1, -2}, {2, 0, 0}, {0, 2, 0}, model.material(mirror(glm::vec3(0.5f))));
+  model.quad({1, -1, 1}, {-2, 0, 0}, {0, 2, 0},
+             model.material(diffuse(glm::vec3(0), glm::vec3(3))));
+  room.add(model);
+  room.look({0, 0, 0}, {0, 0, -1}, 10);
+  RenderOptions options = path_options(2, 2, 16);
+  options.direct_only = true;
+  expect_everywhere(draw(room, options).image, 1.5, 1e-6);
+}
+
+// Faces that lie in one plane, also with the opposite winding, do not shadow each other.
+TEST(PathLight, CoincidentFacesDoNotDarken) {
+  const Room once = cornell(diffuse(glm::vec3(0.8f)));
+  Room twice = once;
+  Mesh& mesh = twice.assets.meshes[0];
+  std::vector<std::uint32_t>& materials = twice.assets.mesh_materials[0].of_triangle;
+  const std::size_t count = mesh.triangles.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (materials[i] != 1) {  // not the lamp
+      const auto [a, b, c] = mesh.triangles[i];
+      mesh.triangles.push_back({a, c, b});
+      materials.push_back(materials[i]);
+    }
+  }
+  RenderOptions options = path_options(8, 8, 1024);
+  const Estimate single = estimate(once, options);
+  options.seed = 1;
+  expect_same_means(single, estimate(twice, options), 1);
+}
+
+// Lights of the file shine by the equation of mode ray.
+TEST(PathLight, SceneLightsAreThoseOfModeRay) {
+  RenderMaterial m;
+  m.ambient = glm::vec3(0);
+  m.diffuse = {0.6f, 0.5f, 0.4f};
+  m.specular = glm::vec3(0.3f);
+  m.shininess = 12;
+  Room room;
+  room.scene.global.diffuse = 0.5f;
+  room.scene.global.specular = 0.7f;
+  const std::uint32_t plain = room.material(m);
+  room.add(Shape::cube, Affine{glm::mat3(10), glm::vec3(0, -5, 0)}, plain);
+  room.add(Shape::sphere, Affine{glm::mat3(0.5f), glm::vec3(0.3f, 0.4f, 0)}, plain);
+  room.light(LightType::point, {1, 2, 1}, {0.9f, 0.8f, 0.7f}).attenuation = {0.5f, 0.2f, 0.1f};
+  room.light(LightType::directional, glm::normalize(glm::vec3(-0.3f, -1, 0.2f)),
+             {0.2f, 0.3f, 0.4f});
+  RenderLight& spot = room.light(LightType::spot, {-0.5f, 2, 0.3f}, {0.5f, 0.5f, 0.1f});
+  spot.direction = {0, -1, 0};
+  spot.inner_angle = 0.2f;
+  spot.outer_angle = 0.5f;
+  room.look({0, 2, 2}, {0, 0, 0}, 40);
+  RenderOptions options = path_options(24, 18, 1);
+  options.max_depth = 1;
+  options.samples = 256;
+  const Image path = draw(room, options).image;
+  RenderOptions rays;
+  rays.width = 24;
+  rays.height = 18;
+  rays.samples = rays.min_samples = 256;
+  const Image ray = render(room.scene, room.assets, rays).image;
+  const glm::dvec3 a = mean_of(path), b = mean_of(ray);
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(a[c], b[c], 1e-3);
+    EXPECT_GT(a[c], 0.05);
+  }
+  for (std::size_t i = 0; i < path.rgb.size(); ++i) {
+    EXPECT_NEAR(path.rgb[i], ray.rgb[i], 0.02) << i;
+  }
+}
+
+TEST(PathLight, AreaLightsAreThoseOfModeRay) {
+  Room room;
+  RenderMaterial m;
+  m.ambient = glm::vec3(0);
+  m.diffuse = glm::vec3(0.5f);
+  room.add(Shape::cube, Affine{glm::mat3(10), glm::vec3(0, -5, 0)}, room.material(m));
+  RenderLight& area = room.light(LightType::area, {0, 2, 0}, glm::vec3(1));
+  area.direction = {0, -1, 0};
+  area.half_u = {1, 0, 0};
+  area.half_v = {0, 0, 1};
+  area.attenuation = {0, 0, 1};
+  room.look({0, 2, 2}, {0, 0, 0}, 40);
+  RenderOptions options = path_options(4, 4, 1024);
+  RenderOptions rays = options;
+  rays.mode = Mode::ray;
+  rays.min_samples = 1024;
+  const glm::dvec3 a = mean_of(draw(room, options).image);
+  const glm::dvec3 b = mean_of(render(room.scene, room.assets, rays).image);
+  EXPECT_NEAR(a.x, b.x, 1e-3 * b.x);
+}
+
+// After the first bounce one of the lights is chosen.
+TEST(PathLight, ManySceneLightsAreSampledWithoutBias) {
+  Room room = closed_box(diffuse(glm::vec3(0.5f)));
+  RenderOptions options = path_options(4, 4, 4096);
+  room.light(LightType::point, {0, 0.5, 0}, glm::vec3(0.6f));
+  const double one = mean_of(draw(room, options).image).x;
+  room.scene.lights[0].color = glm::vec3(0.2f);
+  room.light(LightType::point, {0, 0.5, 0}, glm::vec3(0.4f));
+  EXPECT_NEAR(mean_of(draw(room, options).image).x, one, 5e-3 * one);
+}
+
+TEST(PathLight, CourseLobeDropsDiffuseWhereSpecularIsBrighter) {
+  FaceMaterial m = diffuse(glm::vec3(0.4f));
+  m.specular = glm::vec3(0.5f);
+  m.shininess = 5;
+  m.emission = glm::vec3(0.1f);
+  RenderOptions options = path_options(4, 4, 1024);
+  options.max_depth = 1;
+  options.lobe = Lobe::course;
+  FaceMaterial alone = m;
+  alone.diffuse = glm::vec3(0);
+  const double course = mean_of(draw(closed_box(m), options).image).x;
+  options.lobe = Lobe::energy;
+  EXPECT_NEAR(course, mean_of(draw(closed_box(alone), options).image).x, 1e-9);
+  EXPECT_GT(mean_of(draw(closed_box(m), options).image).x, course + 0.02);
+  m.specular = glm::vec3(0.3f);  // now diffuse reflection is brighter
+  const double energy = mean_of(draw(closed_box(m), options).image).x;
+  options.lobe = Lobe::course;
+  EXPECT_EQ(mean_of(draw(closed_box(m), options).image).x, energy);
+}
+
+TEST(PathLight, MapsMultiplyColors) {
+  Room room;
+  const std::uint32_t map = room.texture(1, 1, {51});
+  Model model;
+  FaceMaterial wall = diffuse(glm::vec3(0.5f), glm::vec3(0.25f));
+  wall.diffuse_map = wall.emission_map = map;
+  model.box(glm::vec3(-1), glm::vec3(1), true, model.material(wall));
+  room.add(model);
+  room.look({0, 0, 0}, {0, 0, -1}, 70);
+  expect_everywhere(draw(room, path_options(4, 4, 1024)).image, 0.05 / 0.9, 1e-3);
+}
+
+}  // namespace
+}  // namespace scenefile::path_test

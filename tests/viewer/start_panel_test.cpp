@@ -74,10 +74,12 @@ TEST_F(StartPanelTest, ListsFoldersScenesAndPictures) {
   folder.write("scenes/readme.txt");
   folder.write("scenes/.hidden.xml");
   folder.write("scenes/picture.PNG");
+  folder.write("scenes/other.tga");  // as for grade: is_picture_name()
   folder.write("scenes/more/x.xml");
   std::vector<Choice> choices;
   EXPECT_TRUE(list_choices(folder.path("scenes"), choices));
-  EXPECT_THAT(names_of(choices), ElementsAre("more", "a9.JSON", "a10.xml", "b.xml", "picture.PNG"));
+  EXPECT_THAT(names_of(choices),
+              ElementsAre("more", "a9.JSON", "a10.xml", "b.xml", "other.tga", "picture.PNG"));
   EXPECT_EQ(choices.front().kind, ChoiceKind::folder);
   EXPECT_EQ(choices.back().kind, ChoiceKind::picture);
   EXPECT_EQ(choices[1].path, folder.path("scenes/a9.JSON"));

@@ -2,6 +2,7 @@
 // The commands of the program.
 
 #include "app/options.h"
+#include "scenefile/io/used_files.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -29,7 +30,8 @@ struct Context {
   std::string_view phase = "starting";  ///< static text
   std::uint64_t max_memory = 0;         ///< by --max-memory, in bytes; 0: not given
   char* const* command_line =
-      nullptr;  ///< of main(), for replacing this process by another program
+      nullptr;      ///< of main(), for replacing this process by another program
+  UsedFiles files;  ///< inputs and outputs of the command
 };
 
 /// The number of arguments of a command.

@@ -56,7 +56,7 @@ bool is_list(const OptionRow& row) {
 }
 
 bool is_folder_name(const OptionRow& row) {
-  return row.value == "DIR";
+  return row.value == "DIR" || row.value == "OUTDIR";
 }
 
 std::string bash_case(const Command& command) {

@@ -3,6 +3,7 @@
 #include "app/import_model.h"
 #include "app/json.h"
 #include "app/load.h"
+#include "app/named_files.h"
 #include "app/output.h"
 #include "scenefile/base/report.h"
 #include "scenefile/base/text.h"
@@ -130,15 +131,6 @@ std::string convert(LoadedScene& scene, const Options& options, std::vector<Impo
   return write_obj_file(scene, options, files, context);
 }
 
-// The scene and the files that it names.
-std::vector<std::string> files_of(const LoadedScene& scene, const Options& options) {
-  std::vector<std::string> paths{scene.path};
-  for (const AssetFile& file : locate_files(scene, options)) {
-    paths.push_back(file.resolved.path);
-  }
-  return paths;
-}
-
 // Which assets the format needs.
 LoadDepth depth_for(ConvertTo format) {
   switch (format) {
@@ -174,13 +166,12 @@ std::string findings_of(const LoadedScene& scene, bool quiet) {
 
 ExitCode run_convert(const Options& options, Context& context) {
   ConvertReport report{.output = options.arguments[1], .format = *options.to};
-  const std::array<NamedFile, 1> input{{{"scene", options.arguments[0]}}};
-  const std::array<NamedFile, 1> output{{{"output", report.output}}};
-  if (const ExitCode status = check_outputs(input, output); status != ExitCode::fine) {
-    return status;
+  const std::array output{named_file("output", report.output)};
+  if (const Outcome refused = claim_outputs(output, context); refused.status != ExitCode::fine) {
+    say_error(refused.error);
+    return refused.status;
   }
   std::vector<ImportedFile> files;
-  std::vector<std::string> inputs;
   const bool model = is_model(options.arguments[0]);
   if (model) {
     if (const ExitCode status = check_model_target(report); status != ExitCode::fine) {
@@ -193,7 +184,7 @@ ExitCode run_convert(const Options& options, Context& context) {
     }
   }
   LoadedScene scene =
-      model ? import_model(options.arguments[0], report.output, options, files, inputs, context)
+      model ? import_model(options.arguments[0], report.output, options, files, context)
             : load_scene(options.arguments[0], options, depth_for(report.format),
                          /*allow_missing=*/true, context);
   std::string text;
@@ -210,10 +201,7 @@ ExitCode run_convert(const Options& options, Context& context) {
   report.error = "the scene cannot be used";
   report.bytes = text.size();
   if (status == ExitCode::fine) {
-    if (!model && !files.empty()) {
-      inputs = files_of(scene, options);
-    }
-    const Outcome outcome = outcome_of(write_model(report.output, text, files, inputs));
+    const Outcome outcome = write_model(report.output, text, files, context);
     status = outcome.status;
     report.error = outcome.error;
   }

@@ -2,6 +2,7 @@
 
 #include "app/load.h"
 #include "app/load_picture.h"
+#include "app/named_files.h"
 #include "app/output.h"
 #include "app/progress.h"
 #include "app/wrap.h"
@@ -192,15 +193,6 @@ void report_scene_input(LoadedPicture& loaded, const LoadedPicture& other) {
   }
 }
 
-// Detects errors in the arguments before the work starts.
-ExitCode check_diff_outputs(const Options& options) {
-  const std::array<NamedFile, 3> inputs{{{"picture A", options.arguments[0]},
-                                         {"picture B", options.arguments[1]},
-                                         {"scene", options.scene}}};
-  const std::array<NamedFile, 2> outputs{{{"heat map", options.heatmap}, {"sheet", options.sheet}}};
-  return check_outputs(inputs, outputs);
-}
-
 PictureComparison compare(const LoadedPicture& a, const LoadedPicture& b, const LoadedScene* scene,
                           const Options& options, Context& context) {
   context.phase = "comparing the pictures";
@@ -216,8 +208,11 @@ PictureComparison compare(const LoadedPicture& a, const LoadedPicture& b, const 
 
 // The first one is the reference.
 ExitCode diff_images(const Options& options, Context& context) {
-  if (const ExitCode status = check_diff_outputs(options); status != ExitCode::fine) {
-    return status;
+  const std::array outputs{named_file("heat map", options.heatmap),
+                           named_file("sheet", options.sheet)};
+  if (const Outcome refused = claim_outputs(outputs, context); refused.status != ExitCode::fine) {
+    say_error(refused.error);
+    return refused.status;
   }
   LoadedPicture a = load_picture(options.arguments[0], options.layer, context);
   LoadedPicture b = load_picture(options.arguments[1], options.layer, context);

@@ -1,12 +1,14 @@
 // The command frames: numbered pictures of one scene from a moving camera. The acceleration
 // structure is built once. A hidden file next to each frame, named .NAME.key, records what it was
-// drawn from: an existing frame is skipped, and a frame of another scene is not replaced.
+// drawn from: an existing frame is skipped. A frame of another scene, or any other file, is only
+// replaced with --overwrite.
 
 #include "app/carry_files.h"
 #include "app/checkpoint.h"
 #include "app/command.h"
 #include "app/gl_picture.h"
 #include "app/load.h"
+#include "app/named_files.h"
 #include "app/output.h"
 #include "app/pictures.h"
 #include "app/progress.h"
@@ -138,8 +140,9 @@ std::string key_text(const PartKey& key, const Camera& camera) {
                      key.options, camera_key(camera));
 }
 
-// Why a frame with this key file is not the requested one, as a phrase that follows "it was drawn".
-std::string_view frame_mismatch(const std::string& found, const PartKey& wanted) {
+// How a frame with this key file differs from the requested one, as a phrase that follows "it was
+// drawn".
+std::string frame_mismatch(const std::string& found, const PartKey& wanted, const Camera& camera) {
   PartKey key;
   std::istringstream words(found.starts_with(key_start) ? found.substr(key_start.size())
                                                         : std::string());
@@ -147,8 +150,14 @@ std::string_view frame_mismatch(const std::string& found, const PartKey& wanted)
   if (!words) {
     return "by another version of the program";
   }
-  const std::string_view why = foreign_part(key, wanted);
-  return why.empty() ? "with another camera" : why;
+  const std::string why = foreign_part(key, wanted);
+  const bool same_camera = found.substr(0, found.find('\n')).ends_with(camera_key(camera));
+  return same_camera ? why : why + (why.empty() ? "" : " and ") + "with another camera";
+}
+
+// The video has this name until it is complete.
+std::string unfinished(const std::string& video) {
+  return fmt::format("{}/.unfinished-{}", folder_of(video), file_name_of(video));
 }
 
 class Frames {
@@ -167,7 +176,10 @@ class Frames {
 
   Outcome run() {
     const DeferredSignals deferred;
-    Outcome outcome = check_names();
+    Outcome outcome = claim_files();
+    if (outcome.error.empty() && !options_.overwrite) {
+      outcome = check_existing();
+    }
     for (int number = range_.first; number <= range_.last && outcome.error.empty(); ++number) {
       const auto index = static_cast<std::size_t>(number) - 1;
       if (!options_.write_scenes.empty()) {
@@ -219,30 +231,89 @@ class Frames {
     return kept ? *std::move(kept) : std::string();
   }
 
-  // Refuses to replace pictures that are not frames of this motion, before anything is drawn.
-  Outcome check_names() const {
-    for (int number = range_.first; number <= range_.last && !options_.output.empty(); ++number) {
+  std::string scene_name(std::size_t index) const {
+    return frame_name(options_.write_scenes, index + 1);
+  }
+
+  // No file that is written may be an input or another output.
+  Outcome claim_files() {
+    std::vector<UsedFile> files;
+    if (!options_.video.empty()) {
+      files = {named_file("video", options_.video),
+               named_file("unfinished video", unfinished(options_.video))};
+    }
+    for (int number = range_.first; number <= range_.last; ++number) {
       const auto index = static_cast<std::size_t>(number) - 1;
-      std::optional<std::string> kept;
-      for (const std::string& file : picture_files(options_of(index))) {
-        std::error_code ignored;
-        if (!std::filesystem::exists(file, ignored)) {
-          continue;
+      if (!options_.output.empty()) {
+        for (const std::string& file : picture_files(options_of(index))) {
+          files.push_back(named_file("frame", file));
         }
-        if (!kept) {
-          kept = kept_record(index);
-        }
-        if (!kept->starts_with(key_of(index))) {
-          return {ExitCode::findings,
-                  fmt::format(
-                      "{}: {}; remove the frames or choose another name", escaped(file, 400),
-                      kept->empty()
-                          ? "the file exists, and is not a frame"
-                          : fmt::format("the frame was drawn {}", frame_mismatch(*kept, key_)))};
-        }
+        files.push_back(named_file("key of a frame", key_file(name(index))));
+      }
+      if (!options_.write_scenes.empty()) {
+        files.push_back(named_file("scene of a frame", scene_name(index)));
+      }
+    }
+    for (const UsedFile& file : files) {
+      if (const Result<void> added = context_.files.write(file); !added) {
+        return outcome_of(added);
       }
     }
     return {};
+  }
+
+  // Refuses to replace files that are not of this motion, before anything is drawn.
+  Outcome check_existing() const {
+    Outcome outcome;
+    for (int number = range_.first; number <= range_.last && outcome.error.empty(); ++number) {
+      const auto index = static_cast<std::size_t>(number) - 1;
+      if (!options_.output.empty()) {
+        outcome = check_existing_frame(index);
+      }
+      if (outcome.error.empty() && !options_.write_scenes.empty()) {
+        outcome = check_existing_scene(index);
+      }
+    }
+    return outcome;
+  }
+
+  Outcome check_existing_frame(std::size_t index) const {
+    for (const std::string& file : picture_files(options_of(index))) {
+      std::error_code ignored;
+      if (!std::filesystem::exists(file, ignored)) {
+        continue;
+      }
+      const std::string kept = kept_record(index);
+      if (!kept.starts_with(key_of(index))) {
+        return refusal(file, "-o",
+                       kept.empty() ? "the file exists, and is not a frame"
+                                    : "the frame was drawn " +
+                                          frame_mismatch(kept, key_, motion_.cameras[index]));
+      }
+    }
+    return {};
+  }
+
+  // A scene that would be written with the same bytes again is one of this motion.
+  Outcome check_existing_scene(std::size_t index) const {
+    const std::string file = scene_name(index);
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored)) {
+      return {};
+    }
+    std::string text;
+    const Outcome outcome = scene_text(index, text);
+    const Result<std::string> kept = read_file(file, text.size());
+    return !outcome.error.empty() || (kept && *kept == text)
+               ? outcome
+               : refusal(file, "--write-scenes",
+                         "the file exists, and is not the scene of this frame");
+  }
+
+  static Outcome refusal(const std::string& file, std::string_view option, const std::string& why) {
+    return {ExitCode::findings,
+            fmt::format("{}: {}; --overwrite replaces it, or choose another name after {}",
+                        escaped(file, 400), why, option)};
   }
 
   bool is_there(std::size_t index) const {
@@ -304,10 +375,10 @@ class Frames {
     return outcome;
   }
 
-  // Writes the scene with the camera of the frame.
-  Outcome write_scene_of(std::size_t index) {
+  // The scene with the camera of the frame.
+  Outcome scene_text(std::size_t index, std::string& text) const {
     context_.phase = "writing a scene";
-    const std::string path = frame_name(options_.write_scenes, index + 1);
+    const std::string path = scene_name(index);
     LoadedScene scene;
     scene.path = scene_.path;
     scene.written = scene_.written;
@@ -315,13 +386,19 @@ class Frames {
     scene.written.camera = motion_.cameras[index];
     carry_files(scene, path, options_);
     const bool json = path.ends_with(".json");
-    const std::string text = write_scene(scene.written, json ? SceneFormat::json : SceneFormat::xml,
-                                         options_.load.limits, scene.diagnostics);
-    if (scene.diagnostics.has_errors()) {
-      return {ExitCode::findings,
-              fmt::format("{}: the scene cannot be written in this format", escaped(path, 400))};
-    }
-    return outcome_of(write_file(path, text));
+    text = write_scene(scene.written, json ? SceneFormat::json : SceneFormat::xml,
+                       options_.load.limits, scene.diagnostics);
+    return scene.diagnostics.has_errors()
+               ? Outcome{ExitCode::findings,
+                         fmt::format("{}: the scene cannot be written in this format",
+                                     escaped(path, 400))}
+               : Outcome();
+  }
+
+  Outcome write_scene_of(std::size_t index) {
+    std::string text;
+    const Outcome outcome = scene_text(index, text);
+    return outcome.error.empty() ? outcome_of(write_file(scene_name(index), text)) : outcome;
   }
 
   Outcome make_video() {
@@ -335,9 +412,7 @@ class Frames {
                 i + 1, motion_.cameras.size())};
       }
     }
-    // The video has a temporary name until it is complete.
-    const std::string unfinished =
-        fmt::format("{}/.unfinished-{}", folder_of(options_.video), file_name_of(options_.video));
+    const std::string target = unfinished(options_.video);
     std::vector<std::string> words{
         "ffmpeg",        "-y", "-loglevel", "error",  "-framerate", fmt::format("{}", motion_.fps),
         "-start_number", "1",  "-f",        "image2", "-i",         options_.output};
@@ -345,14 +420,14 @@ class Frames {
       // Players require even sizes, and 4:2:0 chroma subsampling.
       words.insert(words.end(), {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p"});
     }
-    words.push_back(unfinished);
+    words.push_back(target);
     Outcome outcome = outcome_of(run_child(words));
     std::error_code error;
     if (outcome.error.empty()) {
-      std::filesystem::rename(unfinished, options_.video, error);
+      std::filesystem::rename(target, options_.video, error);
       return error ? Outcome{ExitCode::environment, error.message()} : Outcome();
     }
-    std::filesystem::remove(unfinished, error);
+    std::filesystem::remove(target, error);
     return outcome;
   }
 
@@ -394,7 +469,8 @@ Outcome make_motion(const Options& options, const LoadedScene& scene, Motion& mo
 
 }  // namespace
 
-ExitCode run_frames(const Options& options, Context& context) {
+ExitCode run_frames(const Options& given, Context& context) {
+  Options options = given;
   const Clock::time_point start = Clock::now();
   if (!options.video.empty() && !has_program("ffmpeg")) {
     say_error("--video: ffmpeg is not installed, or not in PATH");
@@ -440,6 +516,15 @@ ExitCode run_frames(const Options& options, Context& context) {
   }
   int drawn = 0;
   int skipped = 0;
+  std::optional<TemporaryFolder> folder;  // for the frames of a video that are not kept
+  if (outcome.status == ExitCode::fine && options.output.empty() && !options.video.empty()) {
+    if (Result<TemporaryFolder> made = TemporaryFolder::create()) {
+      options.output = made->path() + "/%d.png";
+      folder.emplace(*std::move(made));
+    } else {
+      outcome = outcome_of(made.error(), context);
+    }
+  }
   if (outcome.status == ExitCode::fine) {
     Frames frames(options, scene, motion, context);
     outcome = frames.run();
@@ -455,7 +540,7 @@ ExitCode run_frames(const Options& options, Context& context) {
     begin_document(json, "frames");
     json.key("scene");
     add_scene(json, scene);
-    json.add("output", options.output);
+    json.add("output", given.output);
     json.add("frames", motion.cameras.size());
     json.add("fps", motion.fps);
     json.add("drawn", drawn);
@@ -473,7 +558,9 @@ ExitCode run_frames(const Options& options, Context& context) {
   if (outcome.status == ExitCode::fine && !options.quiet) {
     say_afterwards([&] {
       return fmt::format("{}: {} of {} frame{} drawn, {} skipped; {:.2f} s\n",
-                         escaped(options.output.empty() ? options.write_scenes : options.output),
+                         escaped(!given.output.empty()  ? given.output
+                                 : !given.video.empty() ? given.video
+                                                        : given.write_scenes),
                          drawn, motion.cameras.size(), motion.cameras.size() == 1 ? "" : "s",
                          skipped, seconds);
     });

@@ -3,16 +3,20 @@
 #include "app/grade_results.h"
 #include "app/load.h"
 #include "app/load_picture.h"
+#include "app/named_files.h"
 #include "app/output.h"
 #include "app/part_files.h"
 #include "app/progress.h"
+#include "scenefile/asset/image_file.h"
 #include "scenefile/base/hash.h"
 #include "scenefile/base/limits.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/recognize.h"
 #include "scenefile/io/file.h"
+#include "scenefile/io/folder.h"
 #include "scenefile/verbs/grade_class.h"
 #include "scenefile/verbs/json_writer.h"
+#include "scenefile/verbs/realtime_table.h"
 #include "scenefile/verbs/scene_json.h"
 
 #include <fmt/format.h>
@@ -162,28 +166,38 @@ ExitCode grade_part(const Options& options, ClassGrader& grader, std::span<const
   return outcome.status;
 }
 
-// All files that are read.
-std::vector<NamedFile> graded_files(const Options& options) {
-  std::vector<NamedFile> files{{"map", options.name_map}};
+// Adds the files that are read to context.files. An error if an output would replace one of them.
+Result<void> add_graded_files(const Options& options, Context& context) {
+  Result<void> added;
   const auto add = [&](std::string_view role, const std::string& folder,
                        bool (*wanted)(std::string_view)) {
-    for (FoundFile& file : files_below(folder, wanted)) {
-      files.push_back({role, std::move(file.path)});
+    for (const FoundFile& file : files_below(folder, wanted)) {
+      added = added ? context.files.read(named_file(role, file.path)) : added;
     }
   };
   add("reference", options.references, is_picture_name);
   add("scene of a reference", options.scenes.empty() ? options.references : options.scenes,
       is_scene_name);
   add("picture of a student", options.arguments.front(), is_picture_name);
-  return files;
+  for (const std::string& folder : {options.references, options.references + "/.."}) {
+    const std::string table = fmt::format("{}/{}", folder, realtime_table_name);
+    if (added && stamp_of(table).exists) {
+      added = context.files.read(named_file("table", table));
+    }
+  }
+  return added;
 }
 
 }  // namespace
 
 ExitCode run_grade(const Options& options, Context& context) {
-  if (const ExitCode status = check_result_places(options, graded_files(options));
-      status != ExitCode::fine) {
-    return status;
+  Outcome refused = outcome_of(add_graded_files(options, context));
+  if (refused.status == ExitCode::fine) {
+    refused = claim_results(options, context);
+  }
+  if (refused.status != ExitCode::fine) {
+    say_error(refused.error);
+    return refused.status;
   }
   Result<std::vector<NamePair>> map = load_map(options);
   if (!map) {
@@ -200,7 +214,11 @@ ExitCode run_grade(const Options& options, Context& context) {
       .thumbnails = options.part.has_value() || !options.report.empty() || !options.pages.empty(),
       .map = *std::move(map)};
   const auto load_scene = [&](const std::string& path) {
-    return load_scene_of_pictures(path, options, context);
+    LoadedScene scene = load_scene_of_pictures(path, options, context);
+    if (status_of(scene) == ExitCode::usage) {
+      refused = {ExitCode::usage, scene.unreadable->text};
+    }
+    return scene;
   };
   std::optional<ProgressBar> bar(!options.quiet && !options.json && wants_progress());
   const auto go_on = [&](double done) {
@@ -213,6 +231,18 @@ ExitCode run_grade(const Options& options, Context& context) {
     bar.reset();
     say_error(grader.error().text);
     return exit_code(grader.error().kind);
+  }
+  if (refused.status == ExitCode::fine) {
+    std::vector<std::string> students;
+    for (std::size_t i = 0; i < grader->students(); ++i) {
+      students.push_back(grader->student(i));
+    }
+    refused = claim_pages(options, students, grader->pictures(), context);
+  }
+  if (refused.status != ExitCode::fine) {
+    bar.reset();
+    say_error(refused.error);
+    return refused.status;
   }
   if (options.part) {
     return grade_part(options, *grader, request.map, go_on, context);

@@ -1,6 +1,7 @@
 #include "app/grade_results.h"
 
 #include "app/load.h"
+#include "app/named_files.h"
 #include "app/output.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/file.h"
@@ -123,16 +124,25 @@ Result<void> write_pages(const std::string& folder, const Gradebook& book, NewFi
   return {};
 }
 
-// Moves the pictures out of the report, if there are many.
-Result<void> write_pictures(const std::string& report, Gradebook& book, NewFiles& files) {
+std::size_t count_pictures(const Gradebook& book) {
   std::size_t pictures = 0;
   for (const StudentResult& student : book.students) {
     pictures += student.pictures.size();
   }
-  if (pictures <= many_pictures) {
+  return pictures;
+}
+
+// A picture next to the report, relative to it; counted from 0.
+std::string picture_name(const std::string& report, std::size_t student, std::size_t picture) {
+  return fmt::format("{}-pictures/{}-{}.png", fs::path(report).stem().string(), student + 1,
+                     picture + 1);
+}
+
+// Moves the pictures out of the report, if there are many.
+Result<void> write_pictures(const std::string& report, Gradebook& book, NewFiles& files) {
+  if (count_pictures(book) <= many_pictures) {
     return {};
   }
-  const std::string folder = fs::path(report).stem().string() + "-pictures";
   const fs::path parent = fs::path(report).parent_path();
   for (std::size_t s = 0; s < book.students.size(); ++s) {
     std::vector<PictureResult>& of_student = book.students[s].pictures;
@@ -141,14 +151,14 @@ Result<void> write_pictures(const std::string& report, Gradebook& book, NewFiles
       if (picture.png.empty()) {
         continue;
       }
-      const std::string name = fmt::format("{}-{}.png", s + 1, p + 1);
-      Result<void> done = files.make_folder(parent / folder);
-      done = done ? files.write(parent / folder / name, picture.png) : done;
+      const std::string name = picture_name(report, s, p);
+      Result<void> done = files.make_folder((parent / name).parent_path());
+      done = done ? files.write(parent / name, picture.png) : done;
       if (!done) {
         return done;
       }
       picture.png.clear();
-      picture.png_file = folder + "/" + name;
+      picture.png_file = name;
     }
   }
   return {};
@@ -181,13 +191,33 @@ Result<void> write_all(const Options& options, Gradebook& book) {
 
 }  // namespace
 
-ExitCode check_result_places(const Options& options, std::span<const NamedFile> inputs) {
-  const std::array<NamedFile, 5> outputs{{{"part", options.output},
-                                          {"report", options.report},
-                                          {"JUnit file", options.junit},
-                                          {"CSV table", options.csv},
-                                          {"Gradescope file", options.gradescope}}};
-  return check_outputs(inputs, outputs);
+Outcome claim_results(const Options& options, Context& context) {
+  const std::array outputs{
+      named_file("output", options.output), named_file("report", options.report),
+      named_file("JUnit file", options.junit), named_file("CSV table", options.csv),
+      named_file("Gradescope file", options.gradescope)};
+  return claim_outputs(outputs, context);
+}
+
+Outcome claim_pages(const Options& options, std::span<const std::string> students,
+                    std::size_t pictures, Context& context) {
+  Result<void> added;
+  const auto add = [&](std::string_view role, const fs::path& path) {
+    added = added ? context.files.write(named_file(role, path.string())) : added;
+  };
+  PageNames names;
+  for (std::size_t s = 0; s < students.size(); ++s) {
+    if (!options.pages.empty()) {
+      add("page of a student", fs::path(options.pages) / names.name_of(students[s]));
+    }
+    for (std::size_t p = 0; pictures > many_pictures && p < pictures / students.size(); ++p) {
+      if (!options.report.empty()) {
+        add("picture of the report",
+            fs::path(options.report).parent_path() / picture_name(options.report, s, p));
+      }
+    }
+  }
+  return outcome_of(added);
 }
 
 ExitCode write_results(const Options& options, Gradebook book, std::string_view holder,

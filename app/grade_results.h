@@ -1,18 +1,22 @@
 #pragma once
 // The output of grade, and of merge for parts of a class.
 
-#include "app/command.h"
-#include "app/output.h"
+#include "app/load.h"
 #include "scenefile/grade/gradebook.h"
 
+#include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace scenefile::app {
 
-/// Detects before the work starts that results cannot be written, or would replace one another or
-/// one of the `inputs`.
-ExitCode check_result_places(const Options& options, std::span<const NamedFile> inputs);
+/// Adds the files of the results to context.files, as claim_outputs() does.
+Outcome claim_results(const Options& options, Context& context);
+/// The same for the pages of these students, and for the pictures next to the report. `pictures`:
+/// the number of pictures of the class.
+Outcome claim_pages(const Options& options, std::span<const std::string> students,
+                    std::size_t pictures, Context& context);
 
 /// Writes all files and prints the results: the files of the class, and with --pages a page for
 /// each student. In large classes, the pictures are files next to the report. If a file cannot be

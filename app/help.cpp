@@ -46,11 +46,12 @@ const std::vector<Heading>& headings() {
       {"Input", {"--compat", "--asset-root", "--allow-outside", "--allow-missing", "--no-assets"}},
       {"Findings", {"--strict", "--deny", "--allow"}},
       {"Limits", {"--threads", "--limit", "--max-memory", "--timeout"}},
-      {"Output", {"--output", "--to",      "--part",       "--missing", "--write-scenes",
-                  "--video",  "--preview", "--checkpoint", "--heatmap", "--sheet",
-                  "--report", "--pages",   "--csv",        "--junit",   "--gradescope",
-                  "--check",  "--files",   "--tree",       "--man",     "--completion",
-                  "--json",   "--sarif",   "--markdown",   "--quiet",   "--help"}},
+      {"Output",
+       {"--output",    "--to",      "--part",       "--missing",    "--write-scenes", "--video",
+        "--overwrite", "--preview", "--checkpoint", "--heatmap",    "--sheet",        "--report",
+        "--pages",     "--csv",     "--junit",      "--gradescope", "--check",        "--files",
+        "--tree",      "--man",     "--completion", "--json",       "--sarif",        "--markdown",
+        "--quiet",     "--help"}},
       {"Other", {}},
   };
   return all;
@@ -132,6 +133,21 @@ std::string no_such_topic(const std::string& topic) {
                                            : fmt::format("; did you mean {}?", *longer));
 }
 
+bool is_family(std::string_view name) {
+  const auto families = code_families();
+  return std::find(families.begin(), families.end(), name) != families.end();
+}
+
+// Families that have the name of a command need the word codes.
+ExitCode run_help_codes(const std::string& family, const Options& options) {
+  if (!is_family(family)) {
+    say_error(fmt::format("there are no codes {}.*{}", escaped(family),
+                          did_you_mean(family, code_families())));
+    return ExitCode::usage;
+  }
+  return answer(options.json ? help_json() : codes_text(help_width(), family));
+}
+
 }  // namespace
 
 const Command* find_command(std::string_view name) {
@@ -166,7 +182,7 @@ std::string overview_text() {
   for (const auto& [topic, what] :
        {std::pair("COMMAND", "a command with its options and examples"),
         {"CODE", "a finding, such as xml.number; or a family of them, such as xml"},
-        {"codes", "the codes of all findings"},
+        {"codes [FAMILY]", "the codes of all findings, or of a family, such as render"},
         {"CAUSE", "a mistake that diff and grade name, such as normals"},
         {"causes", "the list of these mistakes"},
         {"limits", "how large a file may be, how deeply nested, and so on"}}) {
@@ -198,7 +214,14 @@ std::string command_text(const Command& command) {
       text += option_text(*row, width);
     }
   }
-  return text + "\nExamples:\n" + example_text(command.examples, width);
+  text += "\nExamples:\n" + example_text(command.examples, width);
+  return is_family(command.name)
+             ? text + "\n" +
+                   wrapped(fmt::format("\"scenefile help codes {0}\" lists the codes {0}.*.",
+                                       command.name),
+                           0, 0, width) +
+                   "\n"
+             : text;
 }
 
 std::string cause_text(Cause cause) {
@@ -253,6 +276,13 @@ ExitCode run_help(const Options& options, Context& /*context*/) {
     return answer(options.json ? help_json() : overview_text());
   }
   const std::string& topic = options.arguments.front();
+  if (options.arguments.size() > 1) {
+    if (topic == "codes") {
+      return run_help_codes(options.arguments[1], options);
+    }
+    say_error(fmt::format("help explains one topic; unexpected {}", quoted(options.arguments[1])));
+    return ExitCode::usage;
+  }
   if (const Command* const command = find_command(topic); command != nullptr) {
     if (options.man) {
       return answer(manual_page(*command));
@@ -262,8 +292,7 @@ ExitCode run_help(const Options& options, Context& /*context*/) {
   if (const Code* const code = find_code(topic); code != nullptr) {
     return answer(options.json ? code_json(*code) : code_text(*code));
   }
-  if (const auto families = code_families();
-      std::find(families.begin(), families.end(), topic) != families.end()) {
+  if (is_family(topic)) {
     // Some words name both a family of codes and a cause of wrong pictures.
     const std::optional<Cause> cause = find_cause(topic);
     return answer(options.json

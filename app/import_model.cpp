@@ -1,5 +1,6 @@
 #include "app/import_model.h"
 
+#include "app/named_files.h"
 #include "scenefile/base/text.h"
 #include "scenefile/import/read_gltf.h"
 #include "scenefile/import/read_obj_scene.h"
@@ -21,6 +22,16 @@ std::string extension_of(const std::string& path) {
   return lower_case(std::filesystem::path(path).extension().string());
 }
 
+// "the material library scene.mtl of the model".
+std::string part_of_model(const std::string& name) {
+  const std::string extension = extension_of(name);
+  return fmt::format("the {} {} of the model",
+                     extension == ".mtl"   ? "material library"
+                     : extension == ".bin" ? "buffer"
+                                           : "texture",
+                     escaped(name));
+}
+
 }  // namespace
 
 // The prefix of file names. It contains no spaces, because OBJ cannot express them in file names.
@@ -39,9 +50,7 @@ bool is_model(const std::string& path) {
 }
 
 LoadedScene import_model(const std::string& path, const std::string& output, const Options& options,
-                         std::vector<ImportedFile>& files, std::vector<std::string>& inputs,
-                         Context& context) {
-  inputs.push_back(path);
+                         std::vector<ImportedFile>& files, Context& context) {
   LoadedScene scene;
   scene.diagnostics = Diagnostics(options.load.limits);
   scene.path = path;
@@ -57,7 +66,10 @@ LoadedScene import_model(const std::string& path, const std::string& output, con
       .stem = file_stem(output),
       .fetch =
           [&](const std::string& name) {
-            inputs.push_back(roots.resolve(name).path);
+            const UsedFile file{roots.resolve(name).path, part_of_model(name)};
+            if (const Result<void> added = context.files.read(file); !added) {
+              scene.unreadable = added.error();
+            }
             return roots.read(name);
           },
       .limits = options.load.limits,
@@ -74,25 +86,21 @@ LoadedScene import_model(const std::string& path, const std::string& output, con
   return scene;
 }
 
-Result<void> write_model(const std::string& output, const std::string& text,
-                         const std::vector<ImportedFile>& files,
-                         const std::vector<std::string>& inputs) {
+Outcome write_model(const std::string& output, const std::string& text,
+                    const std::vector<ImportedFile>& files, Context& context) {
   const std::filesystem::path folder = std::filesystem::path(output).parent_path();
   std::vector<OutputFile> list;
+  std::vector<UsedFile> claimed;
   for (const ImportedFile& file : files) {
     list.push_back({(folder / file.name).string(), &file.bytes});
     const std::string& path = list.back().path;
-    for (const std::string& input : inputs) {
-      if (!input.empty() && same_file(path, input)) {
-        return Error{fmt::format("{}, a file next to the output, would replace the input {}; "
-                                 "give the output another name",
-                                 quoted(path, 400), quoted(input, 400)),
-                     ErrorKind::usage};
-      }
-    }
+    claimed.push_back({path, fmt::format("the file {} next to the output", escaped(path))});
+  }
+  if (Outcome refused = claim_outputs(claimed, context); refused.status != ExitCode::fine) {
+    return refused;
   }
   list.push_back({output, &text});
-  return write_files(list);
+  return outcome_of(write_files(list));
 }
 
 }  // namespace scenefile::app

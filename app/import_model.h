@@ -15,16 +15,14 @@ bool is_model(const std::string& path);
 /// The prefix for names of files next to `output`.
 std::string file_stem(const std::string& output);
 
-/// Reads and checks the model. `files` are written next to the scene, with the prefix of `output`;
-/// `inputs` are the files that were read.
+/// Reads and checks the model. `files` are written next to the scene, with the prefix of `output`.
+/// Adds the files that are read to context.files.
 LoadedScene import_model(const std::string& path, const std::string& output, const Options& options,
-                         std::vector<ImportedFile>& files, std::vector<std::string>& inputs,
-                         Context& context);
+                         std::vector<ImportedFile>& files, Context& context);
 
-/// Writes the scene and the files next to it: all or none. Refuses (ErrorKind::usage) to replace
-/// one of `inputs` by a file next to the scene.
-Result<void> write_model(const std::string& output, const std::string& text,
-                         const std::vector<ImportedFile>& files,
-                         const std::vector<std::string>& inputs);
+/// Writes the scene and the files next to it: all or none. Refuses (ExitCode::usage) to replace an
+/// input by a file next to the scene.
+Outcome write_model(const std::string& output, const std::string& text,
+                    const std::vector<ImportedFile>& files, Context& context);
 
 }  // namespace scenefile::app

@@ -1,5 +1,6 @@
 #include "app/load.h"
 
+#include "app/named_files.h"
 #include "scenefile/io/interrupt.h"
 #include "scenefile/io/parallel.h"
 #include "scenefile/verbs/render_error.h"
@@ -19,7 +20,16 @@ LoadedScene load_scene(const std::string& path, const Options& options, LoadDept
   settings.for_each = [&](std::size_t count, const std::function<void(std::size_t)>& work) {
     for_each_index(count, options.render.threads, work);
   };
-  return load_scene_file(path, settings, options.access);
+  LoadedScene scene = load_scene_file(path, settings, options.access);
+  if (!scene.unreadable && writes_files(options)) {
+    for (const UsedFile& file : used_files(scene, options.access, options.load.limits)) {
+      if (const Result<void> added = context.files.read(file); !added) {
+        scene.unreadable = added.error();
+        break;
+      }
+    }
+  }
+  return scene;
 }
 
 LoadedScene load_for_tracing(const Options& options, Context& context) {

@@ -16,7 +16,9 @@ struct Outcome {
   std::string error;
 };
 
-/// load_scene_file() with the options.
+/// load_scene_file() with the options. Adds the scene and its assets to context.files, if the
+/// options name an output: a scene that has the output as an asset is unreadable
+/// (ErrorKind::usage).
 LoadedScene load_scene(const std::string& path, const Options& options, LoadDepth depth,
                        bool allow_missing, Context& context);
 

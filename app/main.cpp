@@ -3,6 +3,7 @@
 
 #include "app/command.h"
 #include "app/help.h"
+#include "app/named_files.h"
 #include "app/option_table.h"
 #include "app/output.h"
 #include "app/projects_ray.h"
@@ -148,12 +149,14 @@ constexpr std::array command_rows{
             run_view, at_most_two},
     Command{"help", for_help, "[COMMAND|CODE|CAUSE]", "explain a command, a code or a cause",
             "Explains a command, the code in brackets after a finding, or a cause that diff or "
-            "grade names. codes, causes and limits list all of them.",
+            "grade names. codes, causes and limits list all of them; codes FAMILY lists the codes "
+            "that start with a word.",
             "scenefile help render\n"
             "scenefile help codes\n"
+            "scenefile help codes render\n"
             "scenefile help camera.up-parallel-to-look\n"
             "scenefile help shadows",
-            run_help, at_most_one},
+            run_help, at_most_two},
     Command{"version", for_version, "", "print the version",
             "Prints the version, how the program was built, and what it uses to trace rays on this "
             "machine: the version of Embree and the instruction set.",
@@ -176,6 +179,10 @@ std::string unknown_command(std::string_view name) {
   if (name.starts_with('-')) {
     return fmt::format("the command comes first, then options such as {}: scenefile COMMAND ...",
                        quoted(name));
+  }
+  if (name == "lsp") {
+    return "the language server is the command lsp of the npm package, npx scenefile lsp; "
+           "docs/editors.md says how to install it";
   }
   if (is_scene_name(name)) {
     return fmt::format("{} is a file, not a command; a command comes first: scenefile check {}",
@@ -201,6 +208,10 @@ ExitCode run_command(const Command& command, std::span<const char* const> words,
   }
   if (options.help) {
     return answer(command_text(command));
+  }
+  if (const Result<void> added = add_named_files(command, options, context.files); !added) {
+    say_error(added.error().text);
+    return ExitCode::usage;
   }
   bound(options, context);
   return command.run(options, context);

@@ -5,6 +5,7 @@
 #include "app/command.h"
 #include "app/json.h"
 #include "app/load.h"
+#include "app/named_files.h"
 #include "app/output.h"
 #include "app/part_files.h"
 #include "scenefile/base/text.h"
@@ -73,6 +74,11 @@ Outcome read_parts(const std::vector<std::string>& paths, const Read& read,
 Outcome check_parts(const Options& options, Parts& parts, Context& context) {
   context.phase = "reading the parts";
   parts.paths = part_paths(options);
+  for (const std::string& path : parts.paths) {
+    if (const Result<void> added = context.files.read(named_file("part", path)); !added) {
+      return outcome_of(added);
+    }
+  }
   std::array<std::size_t, 3> kinds{};
   for (const std::string& path : parts.paths) {
     ++kinds[static_cast<std::size_t>(kind_of_part(path))];
@@ -115,11 +121,11 @@ std::string numbered(const Parts& parts, std::size_t file) {
 
 std::string foreign_text(const Parts& parts, std::size_t file) {
   const std::size_t usual = parts.set.usual;
-  const std::string_view why = parts.of_class
-                                   ? foreign_grade_part(parts.graded[file].head.whole.key,
-                                                        parts.graded[usual].head.whole.key)
-                                   : foreign_part(parts.candidates[file].head.picture.key,
-                                                  parts.candidates[usual].head.picture.key);
+  const std::string why = parts.of_class
+                              ? std::string(foreign_grade_part(parts.graded[file].head.whole.key,
+                                                               parts.graded[usual].head.whole.key))
+                              : foreign_part(parts.candidates[file].head.picture.key,
+                                             parts.candidates[usual].head.picture.key);
   const std::string_view whole = parts.of_class ? "class" : "picture";
   return why.empty()
              ? fmt::format(

@@ -12,13 +12,6 @@ namespace scenefile::app {
 ExitCode merge_class(const Options& options, const SortedParts& set,
                      std::span<const std::string> paths, Context& context) {
   context.phase = "reading the parts";
-  std::vector<NamedFile> inputs;
-  for (const std::string& path : paths) {
-    inputs.push_back({"part", path});
-  }
-  if (const ExitCode status = check_result_places(options, inputs); status != ExitCode::fine) {
-    return status;
-  }
   Gradebook book;
   for (const std::size_t file : set.files) {
     Result<GradePart> part = read_grade_part(paths[file]);
@@ -38,6 +31,20 @@ ExitCode merge_class(const Options& options, const SortedParts& set,
       }
       book.students.push_back(std::move(student));
     }
+  }
+  std::vector<std::string> students;
+  std::size_t pictures = 0;
+  for (const StudentResult& student : book.students) {
+    students.push_back(student.name);
+    pictures += student.pictures.size();
+  }
+  Outcome refused = claim_results(options, context);
+  if (refused.status == ExitCode::fine) {
+    refused = claim_pages(options, students, pictures, context);
+  }
+  if (refused.status != ExitCode::fine) {
+    say_error(refused.error);
+    return refused.status;
   }
   return write_results(options, std::move(book), "the class", context);
 }

@@ -1,4 +1,5 @@
 #include "app/merge.h"
+#include "app/named_files.h"
 #include "app/output.h"
 #include "app/part_files.h"
 #include "app/pictures.h"
@@ -64,9 +65,16 @@ class Merger {
     rows_.emplace(set, heads_, paths);
   }
 
-  Outcome run(ImageFormat format) {
+  Outcome run(ImageFormat format, Context& context) {
     const DeferredSignals deferred;
+    std::vector<UsedFile> claimed;
     for (const std::string& path : files(format)) {
+      claimed.push_back(named_file(claimed.empty() ? "output" : "layer", path));
+    }
+    if (Outcome refused = claim_outputs(claimed, context); !refused.error.empty()) {
+      return refused;
+    }
+    for (const auto& [path, what] : claimed) {
       outputs_.emplace_back(path);
       if (Outcome outcome = outputs_.back().open(); !outcome.error.empty()) {
         return outcome;
@@ -182,8 +190,7 @@ class Merger {
   std::vector<Output> outputs_;
 };
 
-Outcome check_target(const Options& options, const PartSet& set, std::span<const std::string> paths,
-                     ImageFormat format) {
+Outcome check_target(const Options& options, const PartSet& set, ImageFormat format) {
   const LayerStorage storage = layer_storage(format);
   if (!set.picture.layers.empty() && storage == LayerStorage::none) {
     return {ExitCode::usage,
@@ -192,11 +199,6 @@ Outcome check_target(const Options& options, const PartSet& set, std::span<const
   if (!set.picture.layers.empty() && storage == LayerStorage::apart &&
       options.output.find('.') == std::string::npos) {
     return {ExitCode::usage, "the parts have layers: the output must end in .exr or .png"};
-  }
-  for (const std::string& path : paths) {
-    if (same_file(options.output, path)) {
-      return {ExitCode::usage, "the output would replace a part"};
-    }
   }
   return {};
 }
@@ -207,10 +209,10 @@ Outcome merge_picture(const Options& options, std::span<const PartCandidate> can
                       std::span<const std::string> paths, Context& context) {
   const PartSet set = sort_parts(candidates);
   const ImageFormat format = image_format_of(options.output).value_or(ImageFormat::png8);
-  Outcome outcome = check_target(options, set, paths, format);
+  Outcome outcome = check_target(options, set, format);
   if (outcome.status == ExitCode::fine) {
     context.phase = "writing the picture";
-    outcome = Merger(options, set, candidates, paths).run(format);
+    outcome = Merger(options, set, candidates, paths).run(format, context);
   }
   if (outcome.error.empty() && !options.quiet && !options.json) {
     say_afterwards([&] {

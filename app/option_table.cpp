@@ -517,7 +517,7 @@ constexpr std::array option_rows{
         "--report", "", "OUT",
         "Write an HTML report; for large classes, its pictures are in the folder OUT-pictures.",
         for_grade | for_merge, set_name<&Options::report>},
-    OptionRow{"--pages", "", "DIR", "Write an HTML page for each student into this folder.",
+    OptionRow{"--pages", "", "OUTDIR", "Write an HTML page for each student into this folder.",
               for_grade | for_merge, set_name<&Options::pages>},
     OptionRow{"--csv", "", "OUT", "Write the results as CSV, for spreadsheets.",
               for_grade | for_merge, set_name<&Options::csv>},
@@ -557,7 +557,7 @@ constexpr std::array option_rows{
               "Segments of a full turn of round shapes, for output in glTF and OBJ (default 64).",
               for_convert,
               [](Options& o, const std::string& v) { return set_number(v, 3, 1024, o.segments); }},
-    OptionRow{"--checkpoint", "", "FILE",
+    OptionRow{"--checkpoint", "", "OUT",
               "Save the state of the render in this file, about every 4 seconds, and continue "
               "from it if it exists. It is removed when the picture is written.",
               for_render, set_checkpoint, "", tracer_only},
@@ -619,10 +619,17 @@ constexpr std::array option_rows{
         "--write-scenes", "", "PATTERN",
         "Also write the scene of each frame, such as scene%04d.xml; rendering it gives the frame.",
         for_frames, set_name<&Options::write_scenes>},
-    OptionRow{"--video", "", "FILE",
-              "Make a video of all frames with ffmpeg, such as turn.mp4, .webm or .gif.",
-              for_frames, set_name<&Options::video>},
-    OptionRow{"--preview", "", "FILE",
+    OptionRow{
+        "--video", "", "OUT",
+        "Make a video of all frames with ffmpeg, such as turn.mp4, .webm or .gif. Without -o, "
+        "the frames are not kept.",
+        for_frames, set_name<&Options::video>},
+    OptionRow{
+        "--overwrite", "", "",
+        "Replace existing files with the names of frames and scenes, such as frames of another "
+        "scene or with other options (default: refuse).",
+        for_frames, set_flag<&Options::overwrite>},
+    OptionRow{"--preview", "", "OUT",
               "Write the unfinished picture to this file every two seconds.", for_render,
               set_preview, "", tracer_only},
     OptionRow{

@@ -259,11 +259,14 @@ std::string check_frames(const Options& options) {
   if (options.turntable.has_value() == !options.path.empty()) {
     return "frames needs either --turntable N or --path FILE";
   }
-  if (options.output.empty() && options.write_scenes.empty()) {
+  if (options.output.empty() && options.write_scenes.empty() && options.video.empty()) {
     return "frames needs an output: -o frame%04d.png";
   }
-  if (options.output.empty() && !options.video.empty()) {
-    return "--video needs the frames: -o frame%04d.png";
+  if (options.output.empty() && !options.video.empty() && options.range) {
+    return "--video needs all frames: leave out --range, or keep the frames with -o frame%04d.png";
+  }
+  if (options.output.empty() && !options.render.layers.empty()) {
+    return "--aov needs the frames: -o frame%04d.exr";
   }
   for (const std::string& pattern : {options.output, options.write_scenes}) {
     if (std::string wrong = pattern.empty() ? "" : check_pattern(pattern); !wrong.empty()) {

@@ -66,6 +66,7 @@ struct Options {
   std::optional<double> fps;        ///< frames: frames per second
   std::string write_scenes;         ///< frames: pattern for scene files; empty: none
   std::string video;                ///< frames: an output file; empty: none
+  bool overwrite = false;           ///< frames: also replace files of other motions
 
   LoadSettings load;
   AssetAccess access;

@@ -1,12 +1,10 @@
 #pragma once
-// Output of the program: what it prints, and checks of the files that it will write. Results go to
-// standard output, everything else to standard error.
+// What the program prints. Results go to standard output, everything else to standard error.
 
 #include "app/command.h"
 
 #include <cstddef>
 #include <new>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -43,14 +41,5 @@ void say_afterwards(const Text& text) {
     // Prints nothing if memory runs out, because a remark is not worth a failure.
   }
 }
-
-struct NamedFile {
-  std::string_view role;  ///< for messages: "output", "scene"
-  std::string path;       ///< empty: not requested
-};
-
-/// Reports the first output that would replace an input or an earlier output (ExitCode::usage), or
-/// that cannot be written (ExitCode::environment).
-ExitCode check_outputs(std::span<const NamedFile> inputs, std::span<const NamedFile> outputs);
 
 }  // namespace scenefile::app

@@ -1,6 +1,7 @@
 #include "app/projects_ray.h"
 
 #include "app/load.h"
+#include "app/named_files.h"
 #include "app/output.h"
 #include "scenefile/asset/image_file.h"
 #include "scenefile/base/report.h"
@@ -98,6 +99,7 @@ ExitCode run_projects_ray(std::span<const char* const> words, Context& context) 
   context.phase = "reading the configuration";
   LoadedScene config;
   config.path = path;
+  static_cast<void>(context.files.read(named_file("configuration", config.path)));  // the first
   CourseConfig read;
   if (Result<std::string> text = read_file(config.path, Limits{}.value_bytes); !text) {
     config.unreadable = text.error();

@@ -4,6 +4,7 @@
 #include "app/command.h"
 #include "app/json.h"
 #include "app/load.h"
+#include "app/named_files.h"
 #include "app/output.h"
 #include "app/pictures.h"
 #include "app/progress.h"
@@ -36,19 +37,17 @@ PixelRegion drawn_region(const RenderOptions& options) {
   return options.crop.value_or(PixelRegion{0, 0, options.width, options.height});
 }
 
-// Detects errors in the arguments before the work starts.
-ExitCode check_render_outputs(const Options& options) {
-  const std::vector<NamedFile> inputs{{"scene", options.arguments.front()}};
-  std::vector<NamedFile> outputs;
-  for (std::string& file : picture_files(options)) {
-    outputs.push_back({outputs.empty() ? "output" : "layer", std::move(file)});
+Outcome claim_render_outputs(const Options& options, Context& context) {
+  std::vector<UsedFile> outputs;
+  for (const std::string& file : picture_files(options)) {
+    outputs.push_back(named_file(outputs.empty() ? "output" : "layer", file));
   }
-  outputs.push_back({"checkpoint", options.checkpoint});
+  outputs.push_back(named_file("checkpoint", options.checkpoint));
   // The preview may have the same path as the output.
-  if (!options.preview.empty() && !same_file(options.preview, options.output)) {
-    outputs.push_back({"preview", options.preview});
+  if (!same_file(options.preview, options.output)) {
+    outputs.push_back(named_file("preview", options.preview));
   }
-  return check_outputs(inputs, outputs);
+  return claim_outputs(outputs, context);
 }
 
 // Returns the scene to draw, and frees its groups.
@@ -167,11 +166,15 @@ ExitCode run_render(const Options& given, Context& context) {
   RenderReport report;
   report.options = options.render;
   report.output = options.output;
-  if (const ExitCode status = check_render_outputs(options); status != ExitCode::fine) {
+  if (Outcome refused = claim_render_outputs(options, context); refused.status != ExitCode::fine) {
     LoadedScene unread;
     unread.path = options.arguments.front();
-    report.error = "an output cannot be written";
-    return options.json ? worse(status, answer(render_json(unread, report))) : status;
+    report.error = std::move(refused.error);
+    if (options.json) {
+      return worse(refused.status, answer(render_json(unread, report)));
+    }
+    say_error(report.error);
+    return refused.status;
   }
   LoadedScene scene = load_for_tracing(options, context);
   Outcome outcome{status_of(scene), {}};

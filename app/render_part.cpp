@@ -20,7 +20,7 @@ std::string part_mismatch(const PartHead& found, const DividedPicture& picture,
                           std::uint32_t index) {
   PartKey wanted = picture.key;
   wanted.driver = found.picture.key.driver;  // only known after drawing with OpenGL
-  if (const std::string_view why = foreign_part(found.picture.key, wanted); !why.empty()) {
+  if (const std::string why = foreign_part(found.picture.key, wanted); !why.empty()) {
     return fmt::format("the part was drawn {}", why);
   }
   if (found.index != index || found.picture.count != picture.count) {

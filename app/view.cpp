@@ -1,5 +1,6 @@
 #include "app/command.h"
 #include "app/load.h"
+#include "app/named_files.h"
 #include "app/output.h"
 #include "app/realtime.h"
 #include "app/view_answers.h"
@@ -13,6 +14,7 @@
 
 #include <cstdlib>
 #include <utility>
+#include <vector>
 
 namespace scenefile::app {
 
@@ -88,6 +90,30 @@ Result<viewer::Script> script_of(const Options& options) {
   return script;
 }
 
+// Adds the pictures and texts that the script writes to context.files. Its step `copy` is meant to
+// replace a file, like an editor.
+Outcome claim_script_outputs(const Options& options, const viewer::Script& script,
+                             Context& context) {
+  std::vector<UsedFile> outputs;
+  for (const viewer::ScriptStep& step : script.steps) {
+    if (step.kind == viewer::StepKind::screenshot || step.kind == viewer::StepKind::copied ||
+        step.kind == viewer::StepKind::times) {
+      outputs.push_back(named_file("screenshot", step.text));
+    }
+  }
+  if (outputs.empty() || options.arguments.empty() || options.arguments.front() == "-") {
+    return {};
+  }
+  const std::string path = viewer::scene_at(options.arguments.front());
+  const LoadedScene scene = load_scene(path, options, LoadDepth::prepared, true, context);
+  for (const UsedFile& file : used_files(scene, options.access, options.load.limits)) {
+    if (const Result<void> added = context.files.read(file); !added) {
+      return outcome_of(added);
+    }
+  }
+  return claim_outputs(outputs, context);
+}
+
 viewer::WindowOptions window_options(const Options& options, viewer::Script script) {
   viewer::WindowOptions window;
   window.setup.load = [&options](const std::string& path) { return open_for_view(path, options); };
@@ -135,6 +161,11 @@ ExitCode run_view(const Options& options, Context& context) {
   if (!script->wrong.empty()) {
     say_error(fmt::format("{}: {}", options.script, script->wrong));
     return ExitCode::usage;
+  }
+  if (const Outcome refused = claim_script_outputs(options, *script, context);
+      refused.status != ExitCode::fine) {
+    say_error(refused.error);
+    return refused.status;
   }
   const bool unattended = !script->steps.empty();
   context.phase = "showing the window";

@@ -82,6 +82,15 @@ void save(const Picture& picture, const FilePath& path) {
   const LayerStorage storage = layer_storage(*format);
   const RenderResult& result = picture.result;
   const Rounding rounding = rounding_of(picture.options.profile);
+  std::vector<UsedFile> files{{path.text, fmt::format("the picture {}", escaped(path.text))}};
+  const std::size_t point = path.text.rfind('.');
+  for (std::size_t i = 0; storage == LayerStorage::apart && i < result.layers.size(); ++i) {
+    std::string file = fmt::format("{}.{}{}", path.text.substr(0, point),
+                                   layer_name(picture.options.layers[i]), path.text.substr(point));
+    std::string what = fmt::format("the layer {}", escaped(file));
+    files.push_back({std::move(file), std::move(what)});
+  }
+  refuse_replacing(picture.inputs, files);
   if (storage == LayerStorage::together && !result.layers.empty()) {
     std::vector<ImageLayer> layers{{"", {"R", "G", "B"}, false, result.image.rgb}};
     layers.insert(layers.end(), result.layers.begin(), result.layers.end());
@@ -89,17 +98,11 @@ void save(const Picture& picture, const FilePath& path) {
                  bytes_of(encode_layers(result.image.width, result.image.height, layers)));
   }
   write(path.text, encoded(result.image, *format, rounding));
-  if (storage != LayerStorage::apart) {
-    return;
-  }
-  const std::size_t point = path.text.rfind('.');
-  for (std::size_t i = 0; i < result.layers.size(); ++i) {
-    const Layer& layer = picture.options.layers[i];
-    const Image image = layer_picture(layer, result.layers[i], result.image.width,
-                                      result.image.height, picture.options.max_depth);
-    write(fmt::format("{}.{}{}", path.text.substr(0, point), layer_name(layer),
-                      path.text.substr(point)),
-          encoded(image, *format, Rounding::nearest));
+  for (std::size_t i = 1; i < files.size(); ++i) {
+    const Image image =
+        layer_picture(picture.options.layers[i - 1], result.layers[i - 1], result.image.width,
+                      result.image.height, picture.options.max_depth);
+    write(files[i].path, encoded(image, *format, Rounding::nearest));
   }
 }
 
@@ -112,6 +115,7 @@ std::unique_ptr<Picture> draw(SceneState& state, const RenderOptions& options,
   }
   auto picture = std::make_unique<Picture>();
   picture->options = options;
+  picture->inputs = used_files(*loaded, state.access, state.settings.limits);
   run_interruptible(
       [&](const Progress& go_on) {
         picture->result = render(loaded->ready.scene, loaded->assets, options, {.progress = go_on});
@@ -271,7 +275,9 @@ void bind_pictures(py::module_& m) {
                                const RenderStats& s = p.result.stats;
                                return s.primary_rays + s.shadow_rays + s.secondary_rays;
                              })
-      .def("save", &save, "Writes a .png, .exr or .pfm atomically.", py::arg("path"))
+      .def("save", &save,
+           "Writes a .png, .exr or .pfm atomically. Never replaces the scene or its files.",
+           py::arg("path"))
       .def("_repr_png_",
            [](const Picture& p) {
              return png_of(quantize(p.result.image, rounding_of(p.options.profile)));

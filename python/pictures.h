@@ -1,10 +1,13 @@
 #pragma once
 
 #include "scenefile/asset/image_file.h"
+#include "scenefile/io/used_files.h"
 #include "scenefile/trace/render.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
+
+#include <vector>
 
 namespace scenefile::python {
 
@@ -12,6 +15,7 @@ namespace scenefile::python {
 struct Picture {
   RenderResult result;
   RenderOptions options;
+  std::vector<UsedFile> inputs = {};  ///< which the file of the picture must not replace
 };
 
 /// The 8-bit picture of a Picture or of an array of rows of colors, or the picture in a file, of

@@ -421,6 +421,9 @@ py::list save(SceneState& state, const FilePath& path) {
                     "other formats",
                     quoted(path.text, 400)));
   }
+  std::vector<UsedFile> inputs = used_files(*usable(state), state.access, state.settings.limits);
+  inputs.erase(inputs.begin());  // the scene itself: its file may be replaced by an edited scene
+  refuse_replacing(inputs, {{path.text, fmt::format("the scene {}", escaped(path.text))}});
   const Written result =
       written(state, name.ends_with(".xml") ? SceneFormat::xml : SceneFormat::json);
   if (const Result<void> done = write_file(path.text, result.text); !done) {
@@ -491,7 +494,9 @@ void bind_scene(py::module_& m) {
           [](SceneState& s, std::string_view format) { return written(s, format_of(format)).text; },
           "The scene as the text of a file, in XML or JSON.", py::arg("format") = "xml")
       .def("save", &save,
-           "Writes a scene file, .xml or .json, atomically. Returns what the format could not express.",
+           "Writes a scene file, .xml or .json, atomically. Returns what the format could not "
+           "express. "
+           "Never replaces a texture or mesh of the scene.",
            py::arg("path"))
       .def("__repr__", [](const SceneState& s) { return fmt::format("<Scene {}>", s.path); });
 }

@@ -103,6 +103,20 @@ void raise_error(const Error& error) {
   throw py::error_already_set();
 }
 
+void refuse_replacing(const std::vector<UsedFile>& inputs, const std::vector<UsedFile>& outputs) {
+  UsedFiles files;
+  Result<void> added;
+  for (const UsedFile& input : inputs) {
+    added = added ? files.read(input) : added;
+  }
+  for (const UsedFile& output : outputs) {
+    added = added ? files.write(output) : added;
+  }
+  if (!added) {
+    raise_error(added.error());
+  }
+}
+
 namespace {
 
 // The list of primitives or lights of the part's node.

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace scenefile::python {
 
@@ -35,6 +36,8 @@ std::shared_ptr<const LoadedScene> usable(SceneState& state);
 /// Raises SceneError, or OSError if the file cannot be read.
 [[noreturn]] void raise_unusable(const LoadedScene& scene);
 [[noreturn]] void raise_error(const Error& error);
+/// Raises ValueError if an output would replace an input or another output (io/used_files.h).
+void refuse_replacing(const std::vector<UsedFile>& inputs, const std::vector<UsedFile>& outputs);
 
 /// A reference to a part of a scene. Every edit goes through edit().
 struct Part {

@@ -110,17 +110,62 @@ TEST_F(FramesTest, NoOtherPictureIsReplaced) {
     EXPECT_TRUE(folder.read("f2.png") == second);
     EXPECT_FALSE(std::filesystem::exists(folder.path("f1.png"))) << "drawn before the refusal";
   };
-  refused({"--samples", "3"}, "f2.png: the frame was drawn with other options; remove the frames");
+  refused({"--samples", "3"},
+          "f2.png: the frame was drawn with other options; --overwrite replaces it, or");
   const Words four{"--turntable", "4", "-o", "f%d.png"};
   EXPECT_THAT(frames(four).err, HasSubstr("f2.png: the frame was drawn with another camera"));
   folder.write("scene.xml", std::string(good_scene) + "\n");
-  refused({}, "f2.png: the frame was drawn from another scene, or the scene was changed");
+  refused({}, "f2.png: the frame was drawn from another scene, or the scene was changed; ");
+  refused({"--samples", "3"}, "the scene was changed, and with other options; --overwrite");
+  folder.write(".f2.png.key", "");
+  refused({}, "f2.png: the file exists, and is not a frame; --overwrite replaces it, or choose");
   EXPECT_EQ(frames({"--turntable", "3", "-o", "f%d.png", "--range", "1:1"}).status, 0);
   folder.write("mine1.png", "mine");
   const ProgramRun mine = frames({"--turntable", "3", "-o", "mine%d.png"});
   EXPECT_EQ(mine.status, 1);
   EXPECT_THAT(mine.err, HasSubstr("mine1.png: the file exists, and is not a frame"));
   EXPECT_EQ(folder.read("mine1.png"), "mine");
+}
+
+TEST_F(FramesTest, OverwriteReplacesWhatIsNotOfThisMotion) {
+  const auto counts = [&](const Words& more) {
+    const rapidjson::Document answer =
+        parse_json(frames(Words{"--turntable", "3", "-o", "f%d.png", "--json"} + more).out);
+    return std::pair(answer["drawn"].GetInt(), answer["skipped"].GetInt());
+  };
+  EXPECT_EQ(counts({}), std::pair(3, 0));
+  const std::string before = folder.read("f2.png");
+  folder.write("f3.png", "mine");
+  folder.write(".f3.png.key", "");
+  EXPECT_EQ(counts({"--overwrite"}), std::pair(1, 2)) << "frames of this motion are kept";
+  EXPECT_EQ(counts({"--overwrite", "--mode", "normals"}), std::pair(3, 0));
+  EXPECT_FALSE(folder.read("f2.png") == before);
+  EXPECT_EQ(counts({"--overwrite"}), std::pair(3, 0));
+  EXPECT_TRUE(folder.read("f2.png") == before);
+}
+
+TEST_F(FramesTest, NoOtherSceneIsReplaced) {
+  const Words words{"--turntable", "3", "--write-scenes", "t%d.xml"};
+  ASSERT_EQ(frames(words).status, 0);
+  const std::string second = folder.read("t2.xml");
+  EXPECT_EQ(frames(words).status, 0) << "the same scenes again";
+  folder.write("t2.xml", "<!-- mine -->\n" + second);
+  std::filesystem::remove(folder.path("t1.xml"));
+  const ProgramRun refused = frames(words);
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, HasSubstr("t2.xml: the file exists, and is not the scene of this frame; "
+                                     "--overwrite replaces it, or choose another name after "
+                                     "--write-scenes"));
+  EXPECT_EQ(folder.read("t2.xml"), "<!-- mine -->\n" + second);
+  EXPECT_FALSE(std::filesystem::exists(folder.path("t1.xml"))) << "written before the refusal";
+  EXPECT_EQ(frames(words + Words{"--overwrite"}).status, 0);
+  EXPECT_EQ(folder.read("t2.xml"), second);
+  std::filesystem::copy_file(folder.path("scene.xml"), folder.path("own1.xml"));
+  const ProgramRun own =
+      run({"frames", "own1.xml", "--turntable", "3", "--write-scenes", "own%d.xml", "--overwrite"});
+  EXPECT_EQ(own.status, 2);
+  EXPECT_THAT(own.err, HasSubstr("the scene of a frame own1.xml would replace the scene own1.xml"));
+  EXPECT_EQ(folder.read("own1.xml"), good_scene);
 }
 
 TEST_F(FramesTest, OpenGlDrawsTheRendersOfTheirScenes) {
@@ -172,6 +217,30 @@ TEST_F(FramesTest, AVideoNeedsAllFrames) {
   ASSERT_EQ(video({"-o", "f%d.png", "--range", "2:3"}).status, 0);
   EXPECT_EQ(video(first).status, 0);
   EXPECT_TRUE(std::filesystem::exists(folder.path("f.gif")));
+}
+
+TEST_F(FramesTest, AVideoDoesNotNeedToKeepItsFrames) {
+  std::filesystem::create_directories(folder.path("bin"));
+  std::filesystem::create_directories(folder.path("tmp"));
+  folder.write("bin/ffmpeg",
+               "#!/bin/sh\nfor out; do :; done\nls $TMPDIR/* > \"$out\"\nexit $STATUS\n");
+  std::filesystem::permissions(folder.path("bin/ffmpeg"), std::filesystem::perms::owner_all);
+  for (const std::string status : {"0", "1"}) {
+    const ProgramRun made = run_program(
+        {"frames", "scene.xml", "--size", "32x24", "--turntable", "3", "--video", "v.gif"},
+        {.environment = {"PATH=" + folder.path("bin") + ":/usr/bin:/bin",
+                         "TMPDIR=" + folder.path("tmp"), "STATUS=" + status},
+         .folder = folder.path()});
+    EXPECT_EQ(made.status, status == "0" ? 0 : 3) << made.err;
+    EXPECT_EQ(folder.read("v.gif"), "1.png\n2.png\n3.png\n");
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path("tmp"))) << status;
+    EXPECT_THAT(made.err,
+                HasSubstr(status == "0" ? "v.gif: 3 of 3 frames drawn" : "ffmpeg failed"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder.path("1.png")));
+  const Words words{"--turntable", "3", "--video", "w.gif"};
+  EXPECT_EQ(frames(words + Words{"--range", "1:2"}).status, 2);
+  EXPECT_EQ(frames(words + Words{"--aov", "depth"}).status, 2);
 }
 
 TEST_F(FramesTest, AVideoNeedsFfmpeg) {

@@ -30,6 +30,7 @@ void is_misuse(const std::vector<std::string>& arguments, const std::string& wor
 TEST(Usage, SuggestsASimilarCommand) {
   is_misuse({"chekc", "a.xml"}, R"(unknown command "chekc"; did you mean check?)");
   is_misuse({"qqqqqq"}, R"(unknown command "qqqqqq")");
+  is_misuse({"lsp", "--stdio"}, "of the npm package, npx scenefile lsp; docs/editors.md says how");
   is_misuse({"re\x1b[31mnder"}, R"("re\u{1b}[31mnder")");
   is_misuse({}, "scenefile render SCENE");
 }
@@ -39,6 +40,20 @@ TEST(Usage, SuggestsTopicsOfHelp) {
             R"(unknown command, code or cause "spot"; did you mean spot-falloff?)");
   is_misuse({"help", "gama"}, "did you mean gamma?");
   is_misuse({"help", "qqqqqq"}, R"(unknown command, code or cause "qqqqqq")");
+}
+
+TEST(Usage, ListsTheCodesOfAFamilyThatIsNamedLikeACommand) {
+  for (const std::string family : {"render", "convert", "camera"}) {
+    const ProgramRun codes = run_program({"help", "codes", family});
+    EXPECT_EQ(codes.status, 0);
+    EXPECT_THAT(codes.out, AllOf(HasSubstr("\n" + family + "."), HasSubstr("help CODE")));
+    EXPECT_THAT(codes.out, ::testing::Not(HasSubstr("xml.number")));
+  }
+  EXPECT_THAT(run_program({"help", "render"}).out,
+              HasSubstr("\n\"scenefile help codes render\" lists the codes render.*.\n"));
+  EXPECT_THAT(run_program({"help", "frames"}).out, ::testing::Not(HasSubstr("help codes")));
+  is_misuse({"help", "codes", "camara"}, "there are no codes camara.*; did you mean camera?");
+  is_misuse({"help", "render", "frames"}, R"(help explains one topic; unexpected "frames")");
 }
 
 TEST(Usage, AcceptsTheOldSpellingOfCodes) {

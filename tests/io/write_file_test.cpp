@@ -142,23 +142,6 @@ TEST(WriteFile, RespectsAProtectedTarget) {
   EXPECT_EQ(folder.read("out"), "old");
 }
 
-TEST(SameFile, RecognizesOtherSpellings) {
-  const TempFolder folder;
-  folder.write("a");
-  folder.write("b");
-  ASSERT_EQ(::symlink("a", folder.path("link").c_str()), 0);
-  EXPECT_TRUE(same_file(folder.path("a"), folder.path("./a")));
-  EXPECT_TRUE(same_file(folder.path("a"), folder.path("link")));
-  EXPECT_FALSE(same_file(folder.path("a"), folder.path("b")));
-  EXPECT_FALSE(same_file(folder.path("a"), folder.path("none")));
-  EXPECT_TRUE(same_file(folder.path("none"), folder.path("./none")));
-  EXPECT_FALSE(same_file(folder.path("none"), folder.path("other")));
-  EXPECT_FALSE(same_file(folder.path("no/none"), folder.path("no/none")));
-  ASSERT_EQ(::symlink("none", folder.path("to_none").c_str()), 0);
-  EXPECT_TRUE(same_file(folder.path("none"), folder.path("to_none")));
-  EXPECT_FALSE(same_file("-", "-"));
-}
-
 }  // namespace
 
 }  // namespace scenefile

@@ -159,6 +159,31 @@ def test_a_broken_edit_is_found_when_it_matters(ball, tmp_path):
     assert not (tmp_path / "no.xml").exists()
 
 
+def test_saving_replaces_no_input(ball, tmp_path):
+    scene = scenefile.read(ball)
+    texture = tmp_path / "wood.png"
+    scene.render(size=(8, 6)).save(texture)
+    scene.primitives[0].material.texture = scenefile.TextureUse("wood.png")
+    path = tmp_path / "textured.xml"
+    scene.save(path)
+    textured = scenefile.read(path)
+    before = path.read_bytes(), texture.read_bytes()
+    (tmp_path / "link.png").symlink_to(texture)
+    picture = textured.render(size=(8, 6), layers=["depth"])
+    for name in ["wood.png", "link.png"]:
+        with pytest.raises(ValueError, match="would replace the texture wood.png of the scene"):
+            picture.save(tmp_path / name)
+    (tmp_path / "x.depth.png").symlink_to(path)
+    with pytest.raises(ValueError, match="the layer .*x.depth.png would replace the scene"):
+        picture.save(tmp_path / "x.png")
+    assert not (tmp_path / "x.png").exists()
+    (tmp_path / "link.xml").symlink_to(texture)
+    with pytest.raises(ValueError, match="would replace the texture"):
+        textured.save(tmp_path / "link.xml")
+    assert (path.read_bytes(), texture.read_bytes()) == before
+    textured.save(path)  # its own file
+
+
 def test_values_that_make_no_sense(ball, tmp_path):
     scene = scenefile.read(ball)
     with pytest.raises(TypeError):

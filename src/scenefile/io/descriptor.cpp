@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
+#include <filesystem>
 #include <system_error>
 #include <utility>
 
@@ -79,6 +80,19 @@ int own_descriptor(const std::string& path, int dash) {
     }
   }
   return -1;
+}
+
+std::string follow_links(std::string path) {
+  constexpr int max_links = 40;
+  for (int i = 0; i < max_links; ++i) {
+    std::error_code error;
+    const std::filesystem::path link = std::filesystem::read_symlink(path, error);
+    if (error) {
+      break;
+    }
+    path = (std::filesystem::path(path).parent_path() / link).string();
+  }
+  return path;
 }
 
 namespace {

@@ -45,6 +45,9 @@ std::string_view kind_of(const struct stat& status);
 /// /dev/stdout, /dev/stderr, /dev/fd/N), or -1.
 int own_descriptor(const std::string& path, int dash);
 
+/// The file that a chain of symbolic links leads to, whether or not it exists.
+std::string follow_links(std::string path);
+
 struct OpenFile {
   Descriptor descriptor;
   std::uint64_t size = 0;  ///< in bytes, when it was opened

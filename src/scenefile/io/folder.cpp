@@ -7,6 +7,8 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdlib>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
@@ -187,6 +189,22 @@ Result<void> make_folder(const std::string& path) {
     return Error{path + ": cannot create the folder: " + error.message()};
   }
   return {};
+}
+
+Result<TemporaryFolder> TemporaryFolder::create() {
+  std::error_code error;
+  std::string path = (fs::temp_directory_path(error) / "scenefile-XXXXXX").string();
+  if (error || ::mkdtemp(path.data()) == nullptr) {
+    return system_error(path, "cannot create a temporary folder", error ? error.value() : errno);
+  }
+  return TemporaryFolder(std::move(path));
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  if (!path_.empty()) {
+    fs::remove_all(path_, ignored);
+  }
 }
 
 }  // namespace scenefile

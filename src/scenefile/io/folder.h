@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace scenefile {
@@ -62,5 +63,21 @@ std::vector<std::string> files_below(const std::string& folder, std::vector<Erro
 
 /// Creates the folder and missing parents, accessible only to the user.
 Result<void> make_folder(const std::string& path);
+
+/// A new, empty folder in TMPDIR or /tmp, accessible only to the user. The destructor removes it
+/// with its contents; a signal that ends the process does not.
+class TemporaryFolder {
+ public:
+  static Result<TemporaryFolder> create();
+  TemporaryFolder(TemporaryFolder&& other) noexcept : path_(std::exchange(other.path_, {})) {}
+  TemporaryFolder& operator=(TemporaryFolder&&) = delete;
+  ~TemporaryFolder();
+
+  const std::string& path() const { return path_; }
+
+ private:
+  explicit TemporaryFolder(std::string path) : path_(std::move(path)) {}
+  std::string path_;  // empty: moved
+};
 
 }  // namespace scenefile

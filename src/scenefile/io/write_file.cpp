@@ -20,8 +20,6 @@ namespace scenefile {
 
 namespace {
 
-constexpr int max_links = 40;
-
 // The file that is finally written.
 struct Target {
   std::string path;    ///< with symbolic links resolved, even if the file does not exist
@@ -33,27 +31,6 @@ struct Target {
 std::string folder_of(const std::string& path) {
   const std::string folder = std::filesystem::path(path).parent_path().string();
   return folder.empty() ? "." : folder;
-}
-
-// The file that a chain of symbolic links leads to.
-std::string follow_links(std::string path) {
-  for (int i = 0; i < max_links; ++i) {
-    std::error_code error;
-    const std::filesystem::path link = std::filesystem::read_symlink(path, error);
-    if (error) {
-      break;
-    }
-    path = (std::filesystem::path(path).parent_path() / link).string();
-  }
-  return path;
-}
-
-// A canonical form of the path, whether or not the file exists; empty if there is none.
-std::string place_of(const std::string& path) {
-  const std::filesystem::path target = follow_links(path);
-  std::error_code error;
-  const auto folder = std::filesystem::canonical(folder_of(target.string()), error);
-  return error ? std::string() : (folder / target.filename()).string();
 }
 
 Result<void> find_target(const std::string& path, Target& target) {
@@ -333,18 +310,6 @@ Result<void> FileWriter::commit() {
 
 bool is_standard_output(const std::string& path) {
   return own_descriptor(path, STDOUT_FILENO) == STDOUT_FILENO;
-}
-
-bool same_file(const std::string& a, const std::string& b) {
-  if (own_descriptor(a, STDIN_FILENO) >= 0 || own_descriptor(b, STDIN_FILENO) >= 0) {
-    return false;
-  }
-  std::error_code error;
-  if (std::filesystem::equivalent(a, b, error) && !error) {
-    return true;
-  }
-  const std::string place = place_of(a);
-  return !place.empty() && place == place_of(b);
 }
 
 }  // namespace scenefile

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <type_traits>
 
@@ -220,13 +221,25 @@ bool is_part_file(std::string_view first_bytes) {
   return first_bytes.starts_with(name_of_format);
 }
 
-std::string_view foreign_part(const PartKey& found, const PartKey& wanted) {
-  return found.scene != wanted.scene       ? "from another scene, or the scene was changed"
-         : found.assets != wanted.assets   ? "with other textures or meshes"
-         : found.options != wanted.options ? "with other options"
-         : found.program != wanted.program ? "by another build of the program"
-         : found.driver != wanted.driver   ? "by another OpenGL driver"
-                                           : "";
+std::string foreign_part(const PartKey& found, const PartKey& wanted) {
+  struct Row {
+    std::uint64_t PartKey::*value;
+    std::string_view why;
+  };
+  static constexpr std::array<Row, 5> rows{
+      {{&PartKey::scene, "from another scene, or the scene was changed"},
+       {&PartKey::assets, "with other textures or meshes"},
+       {&PartKey::options, "with other options"},
+       {&PartKey::program, "by another build of the program"},
+       {&PartKey::driver, "by another OpenGL driver"}}};
+  std::string text;
+  for (const auto& [value, why] : rows) {
+    if (found.*value != wanted.*value) {
+      text += text.empty() ? "" : ", and ";
+      text += why;
+    }
+  }
+  return text;
 }
 
 void place_part_rows(const PartHead& head, std::string_view rows, int y, int first,

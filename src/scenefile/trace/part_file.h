@@ -85,8 +85,8 @@ std::uint64_t part_file_bytes(const PartHead& head, std::size_t bytes_before_row
 bool is_part_file(std::string_view first_bytes);
 
 /// Why a part with the key `found` does not belong to the picture with the key `wanted`, in words
-/// that complete "it was drawn from"; empty if it does.
-std::string_view foreign_part(const PartKey& found, const PartKey& wanted);
+/// that complete "it was drawn"; empty if it does. Names everything that differs.
+std::string foreign_part(const PartKey& found, const PartKey& wanted);
 
 /// Copies rows of a part to their place in the picture. `rows`: complete rows as in the file,
 /// starting with row `y` of the picture. `to`: the picture itself, then its layers; their values

@@ -241,6 +241,7 @@ struct ClassGrader::State {
   }
 
   std::size_t students() const { return folders_.size(); }
+  const std::string& student(std::size_t index) const { return folders_[index].name; }
   std::size_t pictures() const { return folders_.size() * references_.size(); }
   std::uint64_t references() const { return fingerprint_.value(); }
 
@@ -543,6 +544,10 @@ Result<ClassGrader> ClassGrader::open(const GradeRequest& request, const LoadSho
 
 std::size_t ClassGrader::students() const {
   return state_->students();
+}
+
+const std::string& ClassGrader::student(std::size_t index) const {
+  return state_->student(index);
 }
 
 std::size_t ClassGrader::pictures() const {

@@ -45,6 +45,7 @@ class ClassGrader {
   ~ClassGrader();
 
   std::size_t students() const;
+  const std::string& student(std::size_t index) const;  ///< the name, StudentResult::name
   /// The number of pictures expected from the whole class.
   std::size_t pictures() const;
 

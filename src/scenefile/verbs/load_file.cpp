@@ -109,6 +109,18 @@ std::vector<AssetFile> locate_files(const LoadedScene& scene, const AssetAccess&
   return files;
 }
 
+std::vector<UsedFile> used_files(const LoadedScene& scene, const AssetAccess& access,
+                                 const Limits& limits) {
+  std::vector<UsedFile> files{{scene.path, fmt::format("the scene {}", escaped(scene.path))}};
+  for (const AssetFile& file : locate_files(scene, access, limits)) {
+    files.push_back(
+        {file.resolved.path,
+         fmt::format("the {} {} of the scene", file.kind == AssetKind::texture ? "texture" : "mesh",
+                     escaped(file.reference.name))});
+  }
+  return files;
+}
+
 void forget_file(LoadedScene& scene) {
   std::string().swap(scene.text);  // assignment would not free the memory
   scene.written = {};

@@ -4,6 +4,7 @@
 #include "scenefile/asset/image_file.h"
 #include "scenefile/io/asset_roots.h"
 #include "scenefile/io/folder.h"
+#include "scenefile/io/used_files.h"
 #include "scenefile/verbs/load_scene.h"
 
 #include <cstdint>
@@ -55,6 +56,11 @@ AssetRootsOptions asset_roots_options(const std::string& path, const AssetAccess
 /// Where each file of the scene was found, textures first.
 std::vector<AssetFile> locate_files(const LoadedScene& scene, const AssetAccess& access,
                                     const Limits& limits);
+
+/// The scene and its textures and meshes, which no output of the same work may replace
+/// (used_files.h).
+std::vector<UsedFile> used_files(const LoadedScene& scene, const AssetAccess& access,
+                                 const Limits& limits);
 
 /// Frees data that only messages about the file need (text, written scene, sources), before
 /// memory-intensive work.

@@ -1,0 +1,108 @@
+#include "app/named_files.h"
+
+#include "app/option_table.h"
+#include "scenefile/base/text.h"
+#include "scenefile/io/file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace scenefile::app {
+
+namespace {
+
+constexpr std::array<std::string_view, 3> words_for_inputs{"FILE", "PICTURE", "SCENE"};
+constexpr std::array<std::string_view, 3> words_for_outputs{"OUT", "OUTDIR", "PATTERN"};
+
+bool contains(std::span<const std::string_view> words, std::string_view word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+// What messages call a file, by the name of its option or the word for the argument.
+std::string role_of(std::string_view name) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 10> others{
+      {{"--heatmap", "heat map"},
+       {"--csv", "CSV table"},
+       {"--junit", "JUnit file"},
+       {"--gradescope", "Gradescope file"},
+       {"--path", "camera path"},
+       {"--mine", "picture"},
+       {"A", "picture A"},
+       {"B", "picture B"},
+       {"IN", "input"},
+       {"PARTS", "part"}}};
+  const auto other = std::find_if(others.begin(), others.end(),
+                                  [&](const auto& row) { return row.first == name; });
+  return other != others.end() ? std::string(other->second)
+                               : lower_case(name.substr(name.starts_with("--") ? 2 : 0));
+}
+
+// The word of the usage for each argument: "SCENE", "REFERENCE" for "[SCENE [REFERENCE]]"; the last
+// one stands for all others.
+std::vector<std::string> argument_words(const Command& command) {
+  std::istringstream usage{std::string(command.arguments)};
+  std::vector<std::string> words;
+  for (std::string word; usage >> word && !word.starts_with('-');) {
+    std::erase_if(word, [](char c) { return c == '[' || c == ']' || c == '.'; });
+    words.push_back(std::move(word));
+  }
+  return words;
+}
+
+}  // namespace
+
+UsedFile named_file(std::string_view role, const std::string& path) {
+  return {path, fmt::format("the {} {}", role, escaped(path))};
+}
+
+Result<void> add_named_files(const Command& command, const Options& options, UsedFiles& files) {
+  const std::vector<std::string> words = argument_words(command);
+  Result<void> added;
+  for (std::size_t i = 0; i < options.arguments.size() && !words.empty() && added; ++i) {
+    const std::string& word = words[std::min(i, words.size() - 1)];
+    const std::string& path = options.arguments[i];
+    added = word == "OUT" ? files.write(named_file("output", path))
+                          : files.read(named_file(role_of(word), path));
+  }
+  for (const auto& [row, value] : options.given) {
+    const UsedFile file = named_file(role_of(row->name), value);
+    // Until the picture is complete, its own file may show it.
+    const bool shared = row->name == "--preview" && same_file(value, options.output);
+    if (added && row->value == "OUT" && !shared) {
+      added = files.write(file);
+    } else if (added && contains(words_for_inputs, row->value)) {
+      added = files.read(file);
+    }
+  }
+  return added;
+}
+
+bool writes_files(const Options& options) {
+  return !options.output.empty() || options.to ||
+         std::any_of(options.given.begin(), options.given.end(), [](const GivenOption& given) {
+           return contains(words_for_outputs, given.row->value);
+         });
+}
+
+Outcome claim_outputs(std::span<const UsedFile> outputs, Context& context) {
+  for (const UsedFile& output : outputs) {
+    Outcome outcome = outcome_of(context.files.write(output));
+    if (outcome.status == ExitCode::fine && !output.path.empty()) {
+      outcome = outcome_of(check_writable(output.path));
+    }
+    if (outcome.status != ExitCode::fine) {
+      return outcome;
+    }
+  }
+  return {};
+}
+
+}  // namespace scenefile::app

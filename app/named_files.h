@@ -1,0 +1,30 @@
+#pragma once
+// The files that the command line names. Their use follows from the words of the usage texts: OUT
+// is a file to write, OUTDIR a folder for files to write, PATTERN the names of numbered files to
+// write; a FILE, PICTURE, SCENE and so on is read.
+
+#include "app/load.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace scenefile::app {
+
+/// A file of the command line in messages: `the output a.png`, `the heat map h.png`.
+UsedFile named_file(std::string_view role, const std::string& path);
+
+/// Adds the files of all arguments and options to `files`. Returns an error (ErrorKind::usage) if
+/// one to write is another of them. Commands add the files that only they know: the contents of
+/// folders, assets of scenes (app/load.h does), numbered files, files next to the output.
+Result<void> add_named_files(const Command& command, const Options& options, UsedFiles& files);
+
+/// Whether the options name a file to write.
+bool writes_files(const Options& options);
+
+/// Adds outputs to context.files, before the work starts and after all inputs are known. Returns an
+/// error for the first that would replace an input or another output (ExitCode::usage), or that
+/// cannot be written (ExitCode::environment).
+Outcome claim_outputs(std::span<const UsedFile> outputs, Context& context);
+
+}  // namespace scenefile::app

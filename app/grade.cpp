@@ -216,7 +216,7 @@ ExitCode run_grade(const Options& options, Context& context) {
   const auto load_scene = [&](const std::string& path) {
     LoadedScene scene = load_scene_of_pictures(path, options, context);
     if (status_of(scene) == ExitCode::usage) {
-      refused = {ExitCode::usage, scene.unreadable->text};
+      refused = {ExitCode::usage, options.json ? scene.unreadable->text : ""};  // else it is said
     }
     return scene;
   };
@@ -241,7 +241,9 @@ ExitCode run_grade(const Options& options, Context& context) {
   }
   if (refused.status != ExitCode::fine) {
     bar.reset();
-    say_error(refused.error);
+    if (!refused.error.empty()) {
+      say_error(refused.error);
+    }
     return refused.status;
   }
   if (options.part) {

@@ -98,20 +98,21 @@ Outcome claim_script_outputs(const Options& options, const viewer::Script& scrip
   for (const viewer::ScriptStep& step : script.steps) {
     if (step.kind == viewer::StepKind::screenshot || step.kind == viewer::StepKind::copied ||
         step.kind == viewer::StepKind::times) {
-      outputs.push_back(named_file("screenshot", step.text));
+      outputs.push_back(named_file(
+          step.kind == viewer::StepKind::screenshot ? "screenshot" : "output", step.text));
     }
   }
-  if (outputs.empty() || options.arguments.empty() || options.arguments.front() == "-") {
-    return {};
+  std::vector<UsedFile> inputs;
+  if (!outputs.empty() && !options.arguments.empty() && options.arguments.front() != "-") {
+    const LoadedScene scene = load_scene(viewer::scene_at(options.arguments.front()), options,
+                                         LoadDepth::prepared, true, context);
+    inputs = used_files(scene, options.access, options.load.limits);
   }
-  const std::string path = viewer::scene_at(options.arguments.front());
-  const LoadedScene scene = load_scene(path, options, LoadDepth::prepared, true, context);
-  for (const UsedFile& file : used_files(scene, options.access, options.load.limits)) {
-    if (const Result<void> added = context.files.read(file); !added) {
-      return outcome_of(added);
-    }
+  Result<void> added;
+  for (const UsedFile& file : inputs) {
+    added = added ? context.files.read(file) : added;
   }
-  return claim_outputs(outputs, context);
+  return added ? claim_outputs(outputs, context) : outcome_of(added);
 }
 
 viewer::WindowOptions window_options(const Options& options, viewer::Script script) {

@@ -84,6 +84,19 @@ TEST(Folder, IsCreatedWithItsParents) {
   EXPECT_NE(error_text(make_folder(folder.path("file/z"))), "");
 }
 
+TEST(TemporaryFolder, IsRemovedWithItsContents) {
+  std::string path;
+  {
+    Result<TemporaryFolder> made = TemporaryFolder::create();
+    ASSERT_TRUE(made);
+    const TemporaryFolder folder = *std::move(made);
+    path = folder.path();
+    EXPECT_TRUE(is_folder(path));
+    EXPECT_TRUE(write_file(path + "/a", "x"));
+  }
+  EXPECT_FALSE(stamp_of(path).exists);
+}
+
 }  // namespace
 
 }  // namespace scenefile

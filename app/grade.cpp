@@ -12,6 +12,7 @@
 #include "scenefile/base/limits.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/recognize.h"
+#include "scenefile/io/archive.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/folder.h"
 #include "scenefile/verbs/grade_class.h"
@@ -146,9 +147,8 @@ ExitCode grade_part(const Options& options, ClassGrader& grader, std::span<const
   if (outcome.status == ExitCode::fine && !exists) {
     const Result<Gradebook> graded = grader.grade(range, go_on);
     context.phase = "writing the part";
-    outcome =
-        !graded ? Outcome{exit_code(graded.error().kind), graded.error().text}
-                : outcome_of(write_file(options.output, encode_grade_part(head, graded->students)));
+    outcome = !graded ? Outcome{exit_code(graded.error().kind), graded.error().text}
+                      : outcome_of(write_file(options.output, encode_grade_part(head, *graded)));
   }
   const std::size_t students = range.end - range.begin;
   if (options.json) {
@@ -179,6 +179,10 @@ Result<void> add_graded_files(const Options& options, Context& context) {
   add("scene of a reference", options.scenes.empty() ? options.references : options.scenes,
       is_scene_name);
   add("picture of a student", options.arguments.front(), is_picture_name);
+  add("archive of a student", options.arguments.front(), is_archive_name);
+  if (added && !is_folder(options.arguments.front())) {
+    added = context.files.read(named_file("archive of the class", options.arguments.front()));
+  }
   for (const std::string& folder : {options.references, options.references + "/.."}) {
     const std::string table = fmt::format("{}/{}", folder, realtime_table_name);
     if (added && stamp_of(table).exists) {
@@ -255,6 +259,7 @@ ExitCode run_grade(const Options& options, Context& context) {
     say_error(graded.error().text);
     return exit_code(graded.error().kind);
   }
+  find_identical_files(*graded);
   return write_results(options, *std::move(graded), quoted(options.arguments.front(), 400),
                        context);
 }

@@ -182,6 +182,7 @@ Result<void> write_all(const Options& options, Gradebook& book) {
   write(options.report, [&] { return gradebook_html(book, title); });
   write(options.junit, [&] { return gradebook_junit(book); });
   write(options.csv, [&] { return gradebook_csv(book); });
+  write(options.csv_students, [&] { return students_csv(book); });
   write(options.gradescope, [&] { return gradescope_json(book.students.front()); });
   if (done) {
     files.keep();
@@ -192,10 +193,12 @@ Result<void> write_all(const Options& options, Gradebook& book) {
 }  // namespace
 
 Outcome claim_results(const Options& options, Context& context) {
-  const std::array outputs{
-      named_file("output", options.output), named_file("report", options.report),
-      named_file("JUnit file", options.junit), named_file("CSV table", options.csv),
-      named_file("Gradescope file", options.gradescope)};
+  const std::array outputs{named_file("output", options.output),
+                           named_file("report", options.report),
+                           named_file("JUnit file", options.junit),
+                           named_file("CSV table", options.csv),
+                           named_file("CSV table of students", options.csv_students),
+                           named_file("Gradescope file", options.gradescope)};
   return claim_outputs(outputs, context);
 }
 

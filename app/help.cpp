@@ -47,11 +47,11 @@ const std::vector<Heading>& headings() {
       {"Findings", {"--strict", "--deny", "--allow"}},
       {"Limits", {"--threads", "--limit", "--max-memory", "--timeout"}},
       {"Output",
-       {"--output",    "--to",      "--part",       "--missing",    "--write-scenes", "--video",
-        "--overwrite", "--preview", "--checkpoint", "--heatmap",    "--sheet",        "--report",
-        "--pages",     "--csv",     "--junit",      "--gradescope", "--check",        "--files",
-        "--tree",      "--man",     "--completion", "--json",       "--sarif",        "--markdown",
-        "--quiet",     "--help"}},
+       {"--output",    "--to",      "--part",         "--missing",    "--write-scenes", "--video",
+        "--overwrite", "--preview", "--checkpoint",   "--heatmap",    "--sheet",        "--report",
+        "--pages",     "--csv",     "--csv-students", "--junit",      "--gradescope",   "--check",
+        "--files",     "--tree",    "--man",          "--completion", "--json",         "--sarif",
+        "--markdown",  "--quiet",   "--help"}},
       {"Other", {}},
   };
   return all;

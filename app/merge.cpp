@@ -29,7 +29,7 @@ struct Parts {
   std::vector<std::string> paths;
   bool of_class = false;                  // not of a picture
   std::vector<PartCandidate> candidates;  // by path; empty for a class
-  std::vector<GradePart> graded;          // by path; empty for a picture; without their students
+  std::vector<GradePart> graded;          // by path; empty for a picture; without their results
   std::vector<PartTag> tags;              // by path
   SortedParts set;
 };
@@ -90,8 +90,7 @@ Outcome check_parts(const Options& options, Parts& parts, Context& context) {
     const auto read = [](const std::string& path) {
       Result<GradePart> part = read_grade_part(path);
       if (part) {
-        part->students.clear();
-        part->students.shrink_to_fit();
+        part->book = {};
       }
       return part;
     };
@@ -224,7 +223,8 @@ Outcome check_kind(const Options& options, const Parts& parts) {
                          "these are parts of a class: write --report, --csv, --junit, --pages or "
                          "--gradescope instead of -o"};
   }
-  for (const std::string_view name : {"--report", "--csv", "--junit", "--pages", "--gradescope"}) {
+  for (const std::string_view name :
+       {"--report", "--csv", "--csv-students", "--junit", "--pages", "--gradescope"}) {
     if (was_given(options, name)) {
       return {ExitCode::usage,
               fmt::format("{} is for parts of a class, which grade --part writes", name)};

@@ -23,7 +23,7 @@ ExitCode merge_class(const Options& options, const SortedParts& set,
       say_error(part->damage);
       return ExitCode::findings;
     }
-    for (StudentResult& student : part->students) {
+    for (StudentResult& student : part->book.students) {
       for (PictureResult& picture : student.pictures) {
         if (options.report.empty() && options.pages.empty()) {
           picture.png = {};
@@ -31,7 +31,9 @@ ExitCode merge_class(const Options& options, const SortedParts& set,
       }
       book.students.push_back(std::move(student));
     }
+    book.ignored.insert(book.ignored.end(), part->book.ignored.begin(), part->book.ignored.end());
   }
+  find_identical_files(book);
   std::vector<std::string> students;
   std::size_t pictures = 0;
   for (const StudentResult& student : book.students) {

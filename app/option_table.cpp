@@ -524,6 +524,8 @@ constexpr std::array option_rows{
     OptionRow{"--gradescope", "", "OUT",
               "Write the results of one student in Gradescope's format, results.json.",
               for_grade | for_merge, set_name<&Options::gradescope>},
+    OptionRow{"--csv-students", "", "OUT", "Write the score of each student as CSV.",
+              for_grade | for_merge, set_name<&Options::csv_students>},
     OptionRow{"--junit", "", "OUT", "Write the results as JUnit XML.", for_grade | for_merge,
               set_name<&Options::junit>},
     OptionRow{"--min-psnr", "", "DB",

@@ -301,7 +301,8 @@ std::string check_grade(const Options& options) {
                ? "grade --part needs a file to write: -o FILE"
                : "-o is for --part; the results go to --report, --csv, --junit or --pages";
   }
-  for (const std::string_view name : {"--report", "--pages", "--csv", "--junit", "--gradescope"}) {
+  for (const std::string_view name :
+       {"--report", "--pages", "--csv", "--csv-students", "--junit", "--gradescope"}) {
     if (options.part.has_value() && was_given(options, name)) {
       return fmt::format("{} is for the whole class: give it to merge", name);
     }

@@ -91,6 +91,7 @@ struct Options {
   std::string report;
   std::string junit;
   std::string csv;
+  std::string csv_students;
   std::string gradescope;
   std::string pages;     ///< a folder for one page per student
   std::string name_map;  ///< a file that assigns pictures to references

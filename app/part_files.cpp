@@ -98,7 +98,7 @@ Result<GradePart> read_grade_part(const std::string& path) {
     return bytes.error();
   }
   GradePart part;
-  part.damage = decode_grade_part(*bytes, part.head, part.students);
+  part.damage = decode_grade_part(*bytes, part.head, part.book);
   return part;
 }
 

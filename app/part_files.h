@@ -25,7 +25,7 @@ Result<void> write_part_file(const std::string& path, const DividedPicture& pict
 /// The results of a part of a class.
 struct GradePart {
   GradePartHead head;
-  std::vector<StudentResult> students;
+  Gradebook book;
   std::string damage;  ///< an error message; empty if the part is intact
 };
 

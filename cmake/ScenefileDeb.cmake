@@ -66,6 +66,9 @@ macro(scenefile_deb component package description)
     DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component} EXCLUDE_FROM_ALL)
 endmacro()
 
+# Loaded by name; Debian 13 renamed the package.
+set(archive_library "libarchive13t64 | libarchive13")
+
 scenefile_deb(program scenefile
 "check, explain, render and convert CS123 scene files
 Scene files of Brown University's computer graphics courses (CS123, CSCI1230)
@@ -75,7 +78,7 @@ how to fix it, draws them by ray tracing or with OpenGL as the course's own
 programs do, explains the color of a pixel, compares pictures, names the
 mistake that explains a difference, grades the pictures of a class, and
 converts scenes to and from glTF and Wavefront OBJ, and to POV-Ray."
-  RECOMMENDS libegl1 libgl1-mesa-dri SUGGESTS scenefile-window)
+  RECOMMENDS libegl1 libgl1-mesa-dri "${archive_library}" SUGGESTS scenefile-window)
 # Pages link to LICENSE; Debian has one copy of its text for all packages.
 file(CREATE_LINK copyright ${PROJECT_BINARY_DIR}/LICENSE SYMBOLIC)
 install(FILES ${PROJECT_BINARY_DIR}/LICENSE TYPE DOC COMPONENT program EXCLUDE_FROM_ALL)
@@ -112,7 +115,8 @@ University's computer graphics courses. Pictures are NumPy arrays. It names the
 mistake that explains a wrong picture, and grades a class."
     SECTION python
     DEPENDS "python3 (>= ${python_MAJOR}.${python_MINOR})"
-      "python3 (<< ${python_MAJOR}.${next_minor})" python3-numpy)
+      "python3 (<< ${python_MAJOR}.${next_minor})" python3-numpy
+    RECOMMENDS "${archive_library}")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
     ${PROJECT_SOURCE_DIR}/packages/python3-scenefile/postinst ${PROJECT_SOURCE_DIR}/packages/python3-scenefile/prerm)
 endif()

@@ -189,8 +189,20 @@ void bind_gradebook(py::module_& m) {
       .def("__repr__", [](const StudentResult& s) {
         return fmt::format("<Student {}: {} of {} passed>", s.name, s.passed(), s.pictures.size());
       });
+  py::class_<IgnoredFile>(m, "IgnoredFile", "A file of the class that was not graded.")
+      .def_readonly("path", &IgnoredFile::path)
+      .def_property_readonly("student",
+                             [](const IgnoredFile& f) {
+                               return f.student.empty() ? std::optional<std::string>()
+                                                        : std::optional(f.student);
+                             })
+      .def_readonly("reason", &IgnoredFile::reason)
+      .def("__repr__", [](const IgnoredFile& f) {
+        return fmt::format("<IgnoredFile {}: {}>", f.path, f.reason);
+      });
   py::class_<Gradebook>(m, "Gradebook", "The graded pictures of a class.")
       .def_property_readonly("students", [](const Gradebook& b) { return tuple_of(b.students); })
+      .def_property_readonly("ignored", [](const Gradebook& b) { return tuple_of(b.ignored); })
       .def_property_readonly("passed", &Gradebook::all_passed)
       .def("html", &gradebook_html, "The report as one self-contained HTML page.",
            py::arg("title") = "Ray tracer grades")

@@ -2,6 +2,7 @@
 
 #include "app/run_program.h"
 #include "scenefile/asset/image_file.h"
+#include "support/write_archive.h"
 
 #include <fmt/format.h>
 #include <glm/glm.hpp>
@@ -719,21 +720,78 @@ TEST_F(Grade, PicturesThatMatchNothingAreListed) {
   folder.write("right/ball.png", folder.read("right.png"));
   folder.write("right/cube.png", folder.read("wrong.png"));
   folder.write("mine/ball (1).png", folder.read("right.png"));
-  folder.write("mine/results/the cube.png", folder.read("wrong.png"));
+  folder.write("mine/results/the box.png", folder.read("wrong.png"));
   const std::vector<std::string> words{"grade", "mine", "--references", "right"};
   EXPECT_THAT(in_folder(words).out,
               AllOf(HasSubstr("mine  1 of 2 passed\n    missing: cube\n"),
-                    HasSubstr("    1 picture matches no reference: results/the cube.png; --map")));
+                    HasSubstr("    1 picture matches no reference: results/the box.png; --map")));
   std::vector<std::string> more = words;
   more.insert(more.end(), {"--json", "--report", "report.html"});
   const rapidjson::Document document = parse_json(in_folder(more).out);
-  EXPECT_STREQ(document["students"][0]["unmatched"][0].GetString(), "results/the cube.png");
+  EXPECT_STREQ(document["students"][0]["unmatched"][0].GetString(), "results/the box.png");
   EXPECT_THAT(folder.read("report.html"),
-              HasSubstr("1 picture matches no reference: results/the cube.png."));
+              HasSubstr("1 picture matches no reference: results/the box.png."));
   // More than was asked for.
   folder.write("mine/cube.png", folder.read("wrong.png"));
   EXPECT_THAT(in_folder(words).out, Not(HasSubstr("matches no reference")));
 }
+
+#ifdef SCENEFILE_ARCHIVE
+TEST_F(Grade, ArchivesAreFoldersAndNobodyIsLost) {
+  make_folders({"right", "class/ada"});
+  folder.write("right/test_ball.png", folder.read("right.png"));
+  const std::string right = folder.read("right.png");
+  const std::string wrong = folder.read("wrong.png");
+  folder.write("class/ada/ball.png", right);
+  folder.write("class/ada/old_ball.png", wrong);
+  folder.write("class/gina.zip", write_archive("a.zip", {{"images/ball.png", wrong}}));
+  folder.write("class/hal.tgz",
+               write_archive("a.tgz", {{"b.zip", write_archive("b.zip", {{"ball.png", right}})}}));
+  folder.write("class/ida.zip", write_archive("a.zip", {{"ball.png", right}}, "secret"));
+  folder.write("class/jon.zip", "damaged");
+  folder.write("class/smithjohn_LATE_12_345_ball.png", right);
+  folder.write("class/stray.png", right);
+  const std::vector<std::string> words{"grade", "class", "--references", "right"};
+  const ProgramRun run = in_folder(words);
+  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(run.err, "");
+  EXPECT_THAT(run.out,
+              AllOf(HasSubstr("ada        1 of 1 passed\n"),
+                    HasSubstr("gina       0 of 1 passed\n    test_ball: differs: "),
+                    HasSubstr("hal        1 of 1 passed\n"),
+                    HasSubstr("ida        0 of 1 passed\n    missing: test_ball\n"),
+                    HasSubstr("smithjohn  1 of 1 passed\n"),
+                    HasSubstr("identical files:\n    test_ball: ada, hal, smithjohn\n"),
+                    HasSubstr("    stray.png: its name does not say whose picture it is\n"),
+                    HasSubstr("    ida.zip/ball.png: protected by a password\n"),
+                    HasSubstr("    jon.zip: it cannot be read as an archive: "),
+                    HasSubstr("    ada/old_ball.png: ball.png is taken for test_ball\n")));
+  std::vector<std::string> more = words;
+  more.insert(more.end(), {"--json", "--csv-students", "s.csv"});
+  const rapidjson::Document document = parse_json(in_folder(more).out);
+  EXPECT_EQ(document["ignored"].Size(), 4U);
+  EXPECT_STREQ(document["ignored"][0]["path"].GetString(), "stray.png");
+  EXPECT_FALSE(document["ignored"][0].HasMember("student"));
+  EXPECT_STREQ(document["ignored"][1]["student"].GetString(), "ada");
+  const rapidjson::Value& notes = document["students"][0]["pictures"][0]["notes"];
+  ASSERT_EQ(notes.Size(), 3U);
+  EXPECT_STREQ(notes[0].GetString(), "the file is that of the reference, byte for byte");
+  EXPECT_STREQ(notes[1].GetString(), "ball.png was taken, not old_ball.png");
+  EXPECT_STREQ(notes[2].GetString(), "identical files: ada, hal, smithjohn");
+  EXPECT_THAT(folder.read("s.csv"), HasSubstr("\"ida\",0,1,0,1,0,1\r\n"));
+  // Parts give the same answer.
+  for (const char* part : {"1", "2", "3"}) {
+    std::vector<std::string> with_part = words;
+    with_part.insert(with_part.end(),
+                     {"--part", std::string(part) + "/3", "-o", std::string(part) + ".part"});
+    EXPECT_EQ(in_folder(with_part).status, 0);
+  }
+  EXPECT_EQ(in_folder({"merge", "1.part", "2.part", "3.part"}).out, run.out);
+  // An archive is an input.
+  more.back() = "class/gina.zip";
+  EXPECT_EQ(in_folder(more).status, 2);
+}
+#endif
 
 TEST_F(Grade, AJpegIsReported) {
   make_folders({"right", "mine"});

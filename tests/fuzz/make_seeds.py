@@ -1,7 +1,11 @@
 #!/usr/bin/env python3
 """Writes the pictures under seeds/: small and valid, one for each encoding that the decoders support."""
 
+import gzip
+import io
 import struct
+import tarfile
+import zipfile
 import zlib
 from pathlib import Path
 
@@ -209,6 +213,35 @@ def make_part():
     write("part/no_such_index", head([], index=3))
 
 
+# Archives
+
+def make_archive():
+    files = [("a/b.png", b"picture " * 20), ("../c.png", b"c"), ("__MACOSX/d", b"d")]
+    for name, method in (("stored.zip", zipfile.ZIP_STORED), ("deflated.zip", zipfile.ZIP_DEFLATED)):
+        out = io.BytesIO()
+        with zipfile.ZipFile(out, "w", method) as archive:
+            for path, data in files:
+                archive.writestr(zipfile.ZipInfo(path), data, method)
+        write("archive/" + name, out.getvalue())
+    for name, form in (("ustar.tar", tarfile.USTAR_FORMAT), ("gnu.tar", tarfile.GNU_FORMAT),
+                       ("pax.tar", tarfile.PAX_FORMAT)):
+        out = io.BytesIO()
+        with tarfile.open(fileobj=out, mode="w", format=form) as archive:
+            long = [] if form == tarfile.USTAR_FORMAT else [("long" * 40 + ".png", b"long")]
+            for path, data in files + long:
+                info = tarfile.TarInfo(path)
+                info.size = len(data)
+                archive.addfile(info, io.BytesIO(data))
+            link = tarfile.TarInfo("link.png")
+            link.type, link.linkname = tarfile.SYMTYPE, "/etc/passwd"
+            archive.addfile(link)
+        data = out.getvalue()
+        data = data[:len(data.rstrip(b"\0")) // 512 * 512 + 1536]
+        write("archive/" + name, data)
+        write("archive/" + name + ".gz", gzip.compress(data, mtime=0))
+
+
+make_archive()
 make_checkpoint()
 make_part()
 make_png()

@@ -14,7 +14,7 @@ GradePartHead head() {
 }
 
 // Every member has a different value.
-std::vector<StudentResult> students() {
+Gradebook book() {
   PictureResult passed;
   passed.name = "ball";
   passed.measures.size = {3, 4};
@@ -32,40 +32,45 @@ std::vector<StudentResult> students() {
   failed.notes = {"a note"};
   failed.png = "png";
   failed.png_file = "file";
-  return {{"anna", {passed, failed}}, {"", {}}};
+  failed.fingerprint = 77;
+  failed.identical = "anna, ben";
+  return {{{"anna", {passed, failed}}, {"", {}}}, {{"a.zip", "anna", "damaged"}, {"b", "", "c"}}};
 }
 
 TEST(GradePart, RoundTrips) {
-  const std::string bytes = encode_grade_part(head(), students());
+  const std::string bytes = encode_grade_part(head(), book());
   GradePartHead found;
-  std::vector<StudentResult> read;
+  Gradebook read;
   ASSERT_EQ(decode_grade_part(bytes, found, read), "");
   EXPECT_EQ(found, head());
-  ASSERT_EQ(read.size(), 2U);
+  ASSERT_EQ(read.students.size(), 2U);
   EXPECT_EQ(encode_grade_part(found, read), bytes);
-  EXPECT_EQ(gradebook_csv({read}), gradebook_csv({students()}));
-  const PictureResult& picture = read[0].pictures[1];
+  EXPECT_EQ(gradebook_csv(read), gradebook_csv(book()));
+  EXPECT_EQ(read.ignored, book().ignored);
+  const PictureResult& picture = read.students[0].pictures[1];
   EXPECT_EQ(picture.verdict, Verdict::unreadable);
   EXPECT_EQ(picture.causes.at(0).cause, Cause::samples);
   EXPECT_EQ(picture.causes.at(0).explained, 0.7);
   EXPECT_TRUE(picture.causes.at(0).said);
   EXPECT_EQ(picture.png_file, "file");
-  EXPECT_EQ(read[0].pictures[0].measures.flip_max, 0.6);
+  EXPECT_EQ(picture.fingerprint, 77U);
+  EXPECT_EQ(picture.identical, "anna, ben");
+  EXPECT_EQ(read.students[0].pictures[0].measures.flip_max, 0.6);
   EXPECT_TRUE(is_grade_part(bytes));
 }
 
 TEST(GradePart, EveryChangedByteIsDetected) {
-  const std::string bytes = encode_grade_part(head(), students());
+  const std::string bytes = encode_grade_part(head(), book());
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     GradePartHead found;
-    std::vector<StudentResult> read;
+    Gradebook read;
     std::string changed = bytes;
     changed[i] = static_cast<char>(changed[i] ^ 0x41);
     EXPECT_NE(decode_grade_part(changed, found, read), "") << i;
     EXPECT_NE(decode_grade_part(bytes.substr(0, i), found, read), "") << i;
   }
   GradePartHead found;
-  std::vector<StudentResult> read;
+  Gradebook read;
   EXPECT_NE(decode_grade_part(bytes + "x", found, read), "");
   // The number of students must be that of the part.
   EXPECT_NE(decode_grade_part(encode_grade_part(head(), {}), found, read), "");

@@ -49,6 +49,54 @@ TEST(Gradebook, Text) {
             "2 students: 2 pictures passed, 1 differs, 1 missing, 0 unreadable\n");
 }
 
+TEST(Gradebook, IgnoredFilesAreListedWithTheirReason) {
+  Gradebook book = two_students();
+  book.ignored = {{"who.png", "", "not known"},
+                  {"anna/a.cpp", "anna", "not a picture"},
+                  {"anna/b<.zip", "anna", "old"},
+                  {"anna/c.cpp", "anna", "not a picture"},
+                  {"ben/a.cpp", "ben", "not a picture"}};
+  EXPECT_THAT(gradebook_text(book), HasSubstr("    missing: ball\n"
+                                              "ignored:\n"
+                                              "    who.png: not known\n"
+                                              "    anna/a.cpp and 1 more: not a picture\n"
+                                              "    anna/b<.zip: old\n"
+                                              "    ben/a.cpp: not a picture\n"
+                                              "2 students: 2 pictures passed"));
+  EXPECT_THAT(gradebook_html(book, "t"),
+              AllOf(HasSubstr("<li>anna/a.cpp and 1 more: not a picture</li>"),
+                    HasSubstr("<li>anna/b&lt;.zip: old</li>")));
+}
+
+TEST(Gradebook, IdenticalFilesAreNotedForTheClass) {
+  Gradebook book = two_students();
+  book.students.push_back(book.students[0]);
+  book.students[2].name = "cleo";
+  book.students[0].pictures[0].fingerprint = 1;
+  book.students[0].pictures[1].fingerprint = 2;
+  book.students[2].pictures[0].fingerprint = 1;
+  book.students[2].pictures[1].fingerprint = 1;  // of another reference
+  find_identical_files(book);
+  EXPECT_EQ(book.students[0].pictures[0].identical, "anna, cleo");
+  EXPECT_EQ(book.students[0].pictures[1].identical, "");
+  EXPECT_EQ(book.students[1].pictures[0].identical, "");
+  EXPECT_EQ(book.students[2].pictures[0].identical, "anna, cleo");
+  EXPECT_EQ(book.students[2].pictures[1].identical, "");
+  EXPECT_THAT(gradebook_text(book), HasSubstr("identical files:\n    ball: anna, cleo\n3 stud"));
+  EXPECT_THAT(gradebook_csv(book), HasSubstr("\"identical files: anna, cleo\""));
+  EXPECT_THAT(gradebook_html(book, "t"), HasSubstr("<li>ball: anna, cleo</li>"));
+  // Pages of students say nothing about others.
+  EXPECT_THAT(student_html(book.students[0], "t"), Not(HasSubstr("cleo")));
+}
+
+TEST(Gradebook, CsvOfStudents) {
+  Gradebook book = two_students();
+  book.ignored = {{"a", "ben & co", "b"}, {"c", "", "d"}};
+  EXPECT_EQ(students_csv(book),
+            "student,score,max_score,differs,missing,unreadable,ignored\r\n"
+            "\"anna\",2,2,0,0,0,0\r\n\"ben & co\",0,2,1,1,0,1\r\n");
+}
+
 TEST(Gradebook, NamesCannotForgeLines) {
   EXPECT_EQ(gradebook_text({{{"eve\nanna  1 of 1 passed", {}}}}),
             "eve\\nanna  1 of 1 passed  0 of 0 passed\n"

@@ -54,6 +54,7 @@ const std::map<std::string, std::string> third_party = {
     {"tbb/", "trace/tbb_tasks.cpp"},         {"oneapi/", "trace/tbb_tasks.cpp"},
     {"EGL/", "view/headless.cpp"},           {"hwy/", "trace/wave.cpp"},
     {"GLFW/", "viewer/window.cpp"},          {"GL/", "viewer/gl_picture.cpp"},
+    {"archive.h", "io/archive.cpp"},         {"archive_entry.h", "io/archive.cpp"},
 };
 
 struct Include {

@@ -10,7 +10,7 @@ namespace scenefile {
 
 namespace {
 
-constexpr std::string_view first_line = "scenefile grades 2\n";
+constexpr std::string_view first_line = "scenefile grades 3\n";
 // What files of all versions begin with.
 constexpr std::string_view name_of_format = "scenefile grades ";
 
@@ -50,16 +50,29 @@ void visit(T& claim, Archive& archive) {
 
 template <ConstOrNot<PictureResult> T, typename Archive>
 void visit(T& picture, Archive& archive) {
-  auto& [name, verdict, measures, reasons, causes, notes, png, png_file] = picture;
+  auto& [name, verdict, measures, reasons, causes, notes, png, png_file, fingerprint, identical] =
+      picture;
   archive(name), archive(verdict), archive(measures), archive(reasons), archive(causes);
   archive(notes);
-  archive(png), archive(png_file);
+  archive(png), archive(png_file), archive(fingerprint), archive(identical);
 }
 
 template <ConstOrNot<StudentResult> T, typename Archive>
 void visit(T& student, Archive& archive) {
   auto& [name, pictures, unmatched] = student;
   archive(name), archive(pictures), archive(unmatched);
+}
+
+template <ConstOrNot<IgnoredFile> T, typename Archive>
+void visit(T& file, Archive& archive) {
+  auto& [path, student, reason] = file;
+  archive(path), archive(student), archive(reason);
+}
+
+template <ConstOrNot<Gradebook> T, typename Archive>
+void visit(T& book, Archive& archive) {
+  auto& [students, ignored] = book;
+  archive(students), archive(ignored);
 }
 
 class Writer {
@@ -173,21 +186,17 @@ StudentRange students_of(std::uint32_t index, std::uint32_t count, std::size_t s
   return {students * index / count, students * (std::size_t{index} + 1) / count};
 }
 
-std::string encode_grade_part(const GradePartHead& head, std::span<const StudentResult> students) {
+std::string encode_grade_part(const GradePartHead& head, const Gradebook& book) {
   Writer writer;
   writer(head);
-  writer(Length{students.size()});
-  for (const StudentResult& student : students) {
-    writer(student);
-  }
+  writer(book);
   Writer start;
   start.bytes = first_line;
   start(checksum_of(writer.bytes));
   return start.bytes + writer.bytes;
 }
 
-std::string decode_grade_part(std::string_view bytes, GradePartHead& head,
-                              std::vector<StudentResult>& students) {
+std::string decode_grade_part(std::string_view bytes, GradePartHead& head, Gradebook& book) {
   if (bytes.empty()) {
     return "the file is empty";
   }
@@ -208,8 +217,8 @@ std::string decode_grade_part(std::string_view bytes, GradePartHead& head,
   }
   Reader reader(bytes);
   reader(head);
-  reader(students);
-  return reader.good() && reader.at_end() && is_possible(head, students.size())
+  reader(book);
+  return reader.good() && reader.at_end() && is_possible(head, book.students.size())
              ? ""
              : "the part is damaged: such a part cannot exist";
 }

@@ -1,17 +1,16 @@
 #pragma once
 // The file with the results of one part of a class, for graders on several machines.
 //
-//   scenefile grades 2    one line; the number is the version of the format
+//   scenefile grades 3    one line; the number is the version of the format
 //   checksum              8 bytes, of all that follows
 //   header                GradePartHead
-//   students              StudentResult, with their pictures
+//   gradebook             its students with their pictures, and the ignored files
 //
 // Numbers have the byte order of the machine; builds for other machines have other keys.
 
 #include "scenefile/grade/gradebook.h"
 
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,11 +55,10 @@ struct StudentRange {
 /// most one.
 StudentRange students_of(std::uint32_t index, std::uint32_t count, std::size_t students);
 
-std::string encode_grade_part(const GradePartHead& head, std::span<const StudentResult> students);
+std::string encode_grade_part(const GradePartHead& head, const Gradebook& book);
 
 /// Decodes the result of encode_grade_part(). Returns an error message, empty on success.
-std::string decode_grade_part(std::string_view bytes, GradePartHead& head,
-                              std::vector<StudentResult>& students);
+std::string decode_grade_part(std::string_view bytes, GradePartHead& head, Gradebook& book);
 
 /// Whether the file is a part of a class, written by any version.
 bool is_grade_part(std::string_view first_bytes);

@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace scenefile {
@@ -107,6 +109,75 @@ std::string unmatched_text(const StudentResult& student) {
                      : "");
 }
 
+void find_identical_files(Gradebook& book) {
+  constexpr std::size_t max_names = 8;
+  struct Group {
+    std::string names;
+    std::size_t count = 0;
+  };
+  // By the index of the picture and its fingerprint.
+  std::map<std::pair<std::size_t, std::uint64_t>, Group> groups;
+  const auto for_each = [&](const auto& visit) {
+    for (StudentResult& student : book.students) {
+      for (std::size_t i = 0; i < student.pictures.size(); ++i) {
+        if (student.pictures[i].fingerprint != 0) {
+          visit(student, student.pictures[i], groups[{i, student.pictures[i].fingerprint}]);
+        }
+      }
+    }
+  };
+  for_each([](const StudentResult& student, const PictureResult&, Group& group) {
+    if (group.count < max_names) {
+      group.names += (group.count == 0 ? "" : ", ") + student.name;
+    }
+    ++group.count;
+  });
+  for_each([](const StudentResult&, PictureResult& picture, const Group& group) {
+    picture.identical = group.count < 2 ? std::string()
+                        : group.count > max_names
+                            ? fmt::format("{} and {} more", group.names, group.count - max_names)
+                            : group.names;
+  });
+}
+
+std::vector<std::string> identical_lines(const Gradebook& book) {
+  std::vector<std::string> lines;
+  for (const StudentResult& student : book.students) {
+    for (const PictureResult& picture : student.pictures) {
+      std::string line = fmt::format("{}: {}", picture.name, picture.identical);
+      if (!picture.identical.empty() &&
+          std::find(lines.begin(), lines.end(), line) == lines.end()) {
+        lines.push_back(std::move(line));
+      }
+    }
+  }
+  return lines;
+}
+
+std::vector<std::string> ignored_lines(const Gradebook& book) {
+  std::vector<std::string> lines;
+  std::vector<bool> told(book.ignored.size());
+  for (std::size_t i = 0; i < book.ignored.size(); ++i) {
+    const IgnoredFile& first = book.ignored[i];
+    std::size_t more = 0;
+    // Files of one student are adjacent.
+    for (std::size_t j = i + 1; !told[i] && !first.student.empty() && j < book.ignored.size() &&
+                                book.ignored[j].student == first.student;
+         ++j) {
+      if (!told[j] && book.ignored[j].reason == first.reason) {
+        told[j] = true;
+        ++more;
+      }
+    }
+    if (!told[i]) {
+      lines.push_back(fmt::format("{}{}: {}", first.path,
+                                  more == 0 ? "" : fmt::format(" and {} more", more),
+                                  first.reason));
+    }
+  }
+  return lines;
+}
+
 std::string gradebook_text(const Gradebook& book) {
   std::size_t width = 0;
   for (const StudentResult& student : book.students) {
@@ -132,6 +203,14 @@ std::string gradebook_text(const Gradebook& book) {
       text += fmt::format("    {}; --map assigns other names\n", escaped(unmatched));
     }
   }
+  const auto list = [&](std::string_view title, const std::vector<std::string>& lines) {
+    text += lines.empty() ? std::string() : fmt::format("{}:\n", title);
+    for (const std::string& line : lines) {
+      text += fmt::format("    {}\n", escaped(line));
+    }
+  };
+  list("identical files", identical_lines(book));
+  list("ignored", ignored_lines(book));
   const std::size_t passed = book.count(Verdict::passed);
   const std::size_t differ = book.count(Verdict::differs);
   return text + fmt::format(

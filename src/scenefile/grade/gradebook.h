@@ -29,6 +29,8 @@ struct PictureResult {
   std::vector<std::string> notes;    ///< what differs without a mistake, as clauses
   std::string png;                   ///< reference, picture and heat map as a PNG; may be empty
   std::string png_file;              ///< path relative to the page, if not embedded
+  std::uint64_t fingerprint = 0;     ///< of the file (base/hash.h); 0: there is none
+  std::string identical;             ///< students with the same file, if there are several
 };
 
 struct StudentResult {
@@ -39,20 +41,42 @@ struct StudentResult {
   std::size_t passed() const;
 };
 
+/// A file of the class that was not graded.
+struct IgnoredFile {
+  std::string path;     ///< below the folder of the class
+  std::string student;  ///< whose file it is; empty: unknown
+  std::string reason;   ///< a clause
+
+  friend bool operator==(const IgnoredFile&, const IgnoredFile&) = default;
+};
+
 struct Gradebook {
   std::vector<StudentResult> students;
+  /// First those of unknown students, then the others, in the order of the students.
+  std::vector<IgnoredFile> ignored = {};
 
   /// The number of pictures of all students with that verdict.
   std::size_t count(Verdict verdict) const;
   bool all_passed() const;
 };
 
+/// Sets PictureResult::identical, for the whole class: "ada, ben".
+void find_identical_files(Gradebook& book);
+
+/// The groups of identical files: "chess: ada, ben". Neutral: nobody need have copied.
+std::vector<std::string> identical_lines(const Gradebook& book);
+
 /// "2 pictures match no reference: a.png, b.png"; empty if there are none, or if no picture is
 /// missing: students may hand in more than was asked for.
 std::string unmatched_text(const StudentResult& student);
 
-/// A line for each student, followed by one for each picture that did not pass, and a summary line.
-/// Names are printed unchanged; callers must escape them for terminals.
+/// "old.zip: protected by a password". Files of one student with the same reason share a line:
+/// "ada/main.cpp and 11 more: not a picture".
+std::vector<std::string> ignored_lines(const Gradebook& book);
+
+/// A line for each student, followed by one for each picture that did not pass, identical and
+/// ignored files, and a summary line. Names are printed unchanged; callers must escape them for
+/// terminals.
 std::string gradebook_text(const Gradebook& book);
 
 /// How many pictures a cause explains.
@@ -76,6 +100,10 @@ std::string student_html(const StudentResult& student, std::string_view title);
 /// One line per picture of each student, as CSV (RFC 4180) with a header line. An apostrophe is put
 /// before text that a spreadsheet would interpret as a formula.
 std::string gradebook_csv(const Gradebook& book);
+
+/// One line per student, as CSV like gradebook_csv(): the score is the number of pictures that
+/// passed.
+std::string students_csv(const Gradebook& book);
 
 /// The results of one student in Gradescope's format (results.json): one test and one point per
 /// picture.

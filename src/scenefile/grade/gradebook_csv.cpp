@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace scenefile {
 
 namespace {
@@ -34,6 +36,9 @@ std::string row(const StudentResult& student, const PictureResult& picture) {
   for (const std::string& note : picture.notes) {
     notes += (notes.empty() ? "" : "; ") + note;
   }
+  if (!picture.identical.empty()) {
+    notes += fmt::format("{}identical files: {}", notes.empty() ? "" : "; ", picture.identical);
+  }
   const PictureMeasures& m = picture.measures;
   const bool measured =
       m.same_size && (picture.verdict == Verdict::passed || picture.verdict == Verdict::differs);
@@ -46,6 +51,23 @@ std::string row(const StudentResult& student, const PictureResult& picture) {
 }
 
 }  // namespace
+
+std::string students_csv(const Gradebook& book) {
+  std::string csv = "student,score,max_score,differs,missing,unreadable,ignored\r\n";
+  for (const StudentResult& student : book.students) {
+    const auto with = [&](Verdict verdict) {
+      return std::count_if(student.pictures.begin(), student.pictures.end(),
+                           [&](const PictureResult& p) { return p.verdict == verdict; });
+    };
+    const auto ignored =
+        std::count_if(book.ignored.begin(), book.ignored.end(),
+                      [&](const IgnoredFile& file) { return file.student == student.name; });
+    csv += fmt::format("{},{},{},{},{},{},{}\r\n", field(student.name), student.passed(),
+                       student.pictures.size(), with(Verdict::differs), with(Verdict::missing),
+                       with(Verdict::unreadable), ignored);
+  }
+  return csv;
+}
 
 std::string gradebook_csv(const Gradebook& book) {
   std::string csv = "student,picture,verdict,psnr_db,ssim,flip,causes,what,reasons,notes\r\n";

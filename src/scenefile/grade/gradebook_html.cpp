@@ -303,6 +303,14 @@ std::string failures(const StudentResult& student, std::size_t index) {
   return html;
 }
 
+std::string list_of(std::string_view title, const std::vector<std::string>& lines) {
+  std::string html = lines.empty() ? std::string() : fmt::format("<h2>{}</h2>\n<ul>\n", title);
+  for (const std::string& line : lines) {
+    html += fmt::format("<li>{}</li>\n", markup(line));
+  }
+  return html + (lines.empty() ? "" : "</ul>\n");
+}
+
 std::string page(std::string_view title, const std::string& sum, const std::string& content,
                  bool with_script) {
   return fmt::format(
@@ -337,6 +345,8 @@ std::string gradebook_html(const Gradebook& book, std::string_view title) {
                         causes.empty() ? "" : "; " + causes) +
             failures(student, s) + "</details>\n";
   }
+  html += list_of("Identical files", identical_lines(book)) +
+          list_of("Ignored files", ignored_lines(book));
   return page(title, sum, html, true);
 }
 

@@ -29,10 +29,6 @@ std::string_view take_digits(std::string_view& text) {
   return digits;
 }
 
-bool is_left_out(const std::string& name) {
-  return name.starts_with('.') || name == "__MACOSX";
-}
-
 // The contents of a folder in natural order, as paths.
 struct Listing {
   std::vector<std::string> files;
@@ -47,7 +43,7 @@ Listing list(const std::string& folder) {
        i.increment(listing.error)) {
     const std::string name = i->path().filename().string();
     std::error_code unknown;
-    if (is_left_out(name)) {
+    if (is_junk_name(name)) {
       continue;
     }
     if (i->is_directory(unknown) && !i->is_symlink(unknown)) {
@@ -123,7 +119,7 @@ std::vector<FolderEntry> entries_of(const std::string& folder) {
   for (fs::directory_iterator i(folder, error), end; !error && i != end; i.increment(error)) {
     const std::string name = i->path().filename().string();
     std::error_code unknown;
-    if (!is_left_out(name)) {
+    if (!is_junk_name(name)) {
       entries.push_back(
           {name, i->path().string(), i->is_directory(unknown), i->is_symlink(unknown)});
     }
@@ -131,6 +127,11 @@ std::vector<FolderEntry> entries_of(const std::string& folder) {
   std::sort(entries.begin(), entries.end(),
             [](const FolderEntry& a, const FolderEntry& b) { return a.name < b.name; });
   return entries;
+}
+
+bool is_junk_name(std::string_view name) {
+  return name.starts_with('.') || name == "__MACOSX" || name == "Thumbs.db" ||
+         name == "desktop.ini";
 }
 
 bool is_link(const std::string& path) {

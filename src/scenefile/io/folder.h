@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -46,9 +47,12 @@ struct FolderEntry {
   bool folder = false;  ///< or a link to one
   bool link = false;
 };
-/// The entries of a folder, sorted by name; empty if it cannot be read. Skips what files_below()
-/// skips.
+/// The entries of a folder, sorted by name; empty if it cannot be read. Skips junk.
 std::vector<FolderEntry> entries_of(const std::string& folder);
+
+/// Whether archivers and operating systems add files and folders with this name: it starts with a
+/// dot, or is __MACOSX, Thumbs.db or desktop.ini.
+bool is_junk_name(std::string_view name);
 
 /// Whether the path is a symbolic link.
 bool is_link(const std::string& path);
@@ -57,8 +61,8 @@ bool is_link(const std::string& path);
 bool natural_less(const std::string& first, const std::string& second);
 
 /// Paths of the regular files in a folder and its subfolders, in natural order, files before
-/// folders. Follows links to files, but not to folders. Skips names that start with a dot, and
-/// __MACOSX, which macOS adds to ZIP archives. Folders that cannot be listed are added to `errors`.
+/// folders. Follows links to files, but not to folders. Skips junk (is_junk_name()). Folders that
+/// cannot be listed are added to `errors`.
 std::vector<std::string> files_below(const std::string& folder, std::vector<Error>& errors);
 
 /// Creates the folder and missing parents, accessible only to the user.

@@ -5,6 +5,9 @@
 #include "scenefile/base/text.h"
 #include "scenefile/compare/sheet.h"
 #include "scenefile/format/recognize.h"
+#include "scenefile/io/archive.h"
+#include "scenefile/io/file.h"
+#include "scenefile/verbs/class_files.h"
 #include "scenefile/verbs/grade_files.h"
 #include "scenefile/verbs/load_file.h"
 #include "scenefile/verbs/realtime_table.h"
@@ -30,42 +33,15 @@ constexpr double same_scene_mean_square = 40;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// A student, with the path of the picture for each reference; empty if there is none.
-struct StudentFolder {
+// A student, with the picture for each reference.
+struct Student {
   std::string name;
-  std::string path;
-  std::vector<std::string> pictures;
-  std::vector<std::string> unmatched = {};  // paths below the student's folder
+  std::vector<FoundFile> pictures;
+  std::vector<int> of_references = {};               // indices into the pictures; -1: none
+  std::vector<std::vector<std::string>> notes = {};  // for each reference
+  std::vector<std::string> unmatched = {};           // paths below the student's folder
+  std::vector<IgnoredFile> ignored = {};
 };
-
-// The last part of a path.
-std::string name_of_folder(std::string_view path) {
-  while (path.size() > 1 && (path.ends_with('/') || path.ends_with("/."))) {
-    path.remove_suffix(1);
-  }
-  return std::string(path.substr(path.rfind('/') + 1));
-}
-
-// A folder for each student; or one folder with the pictures of a single student, if there are only
-// folders of layouts, or pictures of references next to them.
-std::vector<StudentFolder> student_folders(const std::string& folder,
-                                           const std::vector<FoundFile>& references) {
-  std::vector<StudentFolder> students;
-  bool one = true;
-  for (const FolderEntry& entry : entries_of(folder)) {
-    if (entry.folder) {
-      students.push_back({entry.name, entry.path, {}});
-      one = one && is_layout_folder(entry.name);
-    }
-  }
-  std::vector<FoundFile> pictures = files_below(folder, is_picture_name);
-  std::erase_if(pictures, [](const FoundFile& file) { return !file.folders.empty(); });
-  const std::vector<int> matches = match_pictures(references, pictures);
-  if (one || std::any_of(matches.begin(), matches.end(), [](int match) { return match >= 0; })) {
-    students = {{name_of_folder(folder), folder, {}}};
-  }
-  return students;
-}
 
 std::string thumbnail(const Texture& reference, const Texture& picture, int width) {
   const Texture heat = reduced(heat_map(reference, picture), width);
@@ -101,6 +77,7 @@ struct Reference {
   std::optional<LoadedScene> scene;
   std::vector<DrawnWay> ways;  // how it was drawn, found with the first picture
   std::vector<DrawnWay> ways_to_try = {};
+  std::uint64_t fingerprint = 0;  // of the file
 };
 
 std::string path_below(const FoundFile& file) {
@@ -108,7 +85,7 @@ std::string path_below(const FoundFile& file) {
   for (const std::string& folder : file.folders) {
     path += folder + "/";
   }
-  return path + name_of_folder(file.path);
+  return path + file_name(file);
 }
 
 // To recognize a picture, some 30,000 of its values are enough: every step_of()th. Not a multiple
@@ -189,8 +166,9 @@ struct ClassGrader::State {
       if (scene_of[i] >= 0) {
         reference.scene = load_scene(scenes[static_cast<std::size_t>(scene_of[i])].path);
       }
+      reference.fingerprint = file_fingerprint(files_[i].path);
       fingerprint_.add(names[i]);
-      add_number(fingerprint_, file_fingerprint(files_[i].path));
+      add_number(fingerprint_, reference.fingerprint);
       if (reference.scene) {
         fingerprint_.add(reference.scene->text);
         add_number(fingerprint_, reference.scene->asset_fingerprint);
@@ -215,55 +193,61 @@ struct ClassGrader::State {
 
   // Finds the pictures of all students.
   Result<void> find_pictures() {
-    folders_ = student_folders(request_.handed_in, files_);
+    ClassFiles found = find_class_files(request_.handed_in, files_);
+    ignored_ = std::move(found.ignored);
     std::size_t seen = 0;
     std::size_t matched = 0;
-    for (StudentFolder& folder : folders_) {
-      const std::vector<FoundFile> pictures = files_below(folder.path, is_picture_name);
-      seen += pictures.size();
-      std::vector<bool> used(pictures.size());
-      for (const int match : match_pictures(files_, pictures, request_.map)) {
-        matched += match >= 0 ? 1 : 0;
-        folder.pictures.emplace_back();
-        if (match >= 0) {
-          folder.pictures.back() = pictures[static_cast<std::size_t>(match)].path;
-          used[static_cast<std::size_t>(match)] = true;
-        }
-      }
-      for (std::size_t i = 0; i < pictures.size(); ++i) {
-        if (!used[i]) {
-          folder.unmatched.push_back(path_below(pictures[i]));
-        }
-      }
+    for (StudentFiles& files : found.students) {
+      Student& student = students_.emplace_back();
+      student.name = std::move(files.name);
+      student.pictures = std::move(files.pictures);
+      student.ignored = std::move(files.ignored);
+      seen += student.pictures.size();
+      matched += match(student);
     }
     thumbnail_width_ = pictures() > many_pictures ? 200 : 320;
     return matched != 0 ? Result<void>() : Error{nothing_matches(seen)};
   }
 
-  std::size_t students() const { return folders_.size(); }
-  const std::string& student(std::size_t index) const { return folders_[index].name; }
-  std::size_t pictures() const { return folders_.size() * references_.size(); }
+  std::size_t students() const { return students_.size(); }
+  const std::string& student(std::size_t index) const { return students_[index].name; }
+  std::size_t pictures() const { return students_.size() * references_.size(); }
   std::uint64_t references() const { return fingerprint_.value(); }
 
   std::uint64_t student_names() const {
     Hash hash;
-    for (const StudentFolder& folder : folders_) {
-      hash.add(folder.name);
+    for (const Student& student : students_) {
+      hash.add(student.name);
     }
     return hash.value();
   }
 
   std::uint64_t submissions(const StudentRange& range) const {
     Hash hash;
-    for (std::size_t s = range.begin; s < range.end; ++s) {
-      for (const std::string& path : folders_[s].pictures) {
-        // The names of files appear in results.
-        hash.add(path.substr(std::min(path.size(), request_.handed_in.size())));
-        add_number(hash, path.empty() || is_link(path) ? 0 : file_fingerprint(path));
+    const auto add_ignored = [&](const std::vector<IgnoredFile>& files) {
+      for (const IgnoredFile& file : files) {
+        hash.add(file.path);
+        hash.add(file.reason);
       }
-      for (const std::string& path : folders_[s].unmatched) {
+    };
+    add_ignored(ignored_of_nobody(range));
+    for (std::size_t s = range.begin; s < range.end; ++s) {
+      const Student& student = students_[s];
+      const std::vector<Result<std::string>> archived = read_archived_of(student);
+      for (std::size_t i = 0; i < references_.size(); ++i) {
+        // The names of files appear in results.
+        const FoundFile* const file = picture_of(student, i);
+        hash.add(file == nullptr ? std::string() : path_in_class(*file));
+        if (file != nullptr && !file->entries.empty()) {
+          hash.add(archived[i] ? *archived[i] : archived[i].error().text);
+        } else if (file != nullptr && !is_link(file->path)) {
+          add_number(hash, file_fingerprint(file->path));
+        }
+      }
+      for (const std::string& path : student.unmatched) {
         hash.add(path);
       }
+      add_ignored(student.ignored);
     }
     return hash.value();
   }
@@ -277,12 +261,19 @@ struct ClassGrader::State {
       stopped = stopped || (go_on && !go_on((done + part) / all));
       return !stopped;
     };
+    book.ignored = ignored_of_nobody(range);
     for (std::size_t s = range.begin; s < range.end; ++s) {
-      StudentResult& student = book.students.emplace_back();
-      student.name = folders_[s].name;
-      student.unmatched = folders_[s].unmatched;
+      const Student& student = students_[s];
+      book.ignored.insert(book.ignored.end(), student.ignored.begin(), student.ignored.end());
+      StudentResult& result = book.students.emplace_back();
+      result.name = student.name;
+      result.unmatched = student.unmatched;
+      std::vector<Result<std::string>> archived = read_archived_of(student);
       for (std::size_t i = 0; i < references_.size(); ++i) {
-        student.pictures.push_back(grade(references_[i], folders_[s].pictures[i], tell));
+        result.pictures.push_back(
+            grade(references_[i], picture_of(student, i), std::move(archived[i]), tell));
+        std::vector<std::string>& notes = result.pictures.back().notes;
+        notes.insert(notes.end(), student.notes[i].begin(), student.notes[i].end());
         ++done;
         if (!tell(0)) {
           return Error{"interrupted", ErrorKind::cancelled};
@@ -299,14 +290,94 @@ struct ClassGrader::State {
     }
   }
 
+  // Matches the pictures of a student with the references. Returns how many match.
+  std::size_t match(Student& student) const {
+    const std::vector<FoundFile>& pictures = student.pictures;
+    PictureMatches matches = match_pictures(files_, pictures, request_.map);
+    student.notes.resize(files_.size());
+    const std::vector<std::string> names = reference_names(files_);
+    for (const UnusedPicture& unused : matches.unused) {
+      const std::string path = path_below(pictures[unused.picture]);
+      student.unmatched.push_back(path);
+      std::string reason = "no reference has its name";
+      if (unused.reference >= 0) {
+        const auto r = static_cast<std::size_t>(unused.reference);
+        const std::string taken =
+            path_below(pictures[static_cast<std::size_t>(matches.pictures[r])]);
+        student.notes[r].push_back(fmt::format("{} was taken, not {}", taken, path));
+        reason = fmt::format("{} is taken for {}", taken, names[r]);
+      } else if (!unused.several.empty()) {
+        reason = "its name fits several references:";
+        for (std::size_t i = 0; i < std::min<std::size_t>(unused.several.size(), 4); ++i) {
+          reason += (i == 0 ? " " : ", ") + names[unused.several[i]];
+        }
+        reason += unused.several.size() > 4 ? " and others" : "";
+      }
+      student.ignored.push_back(
+          {path_in_class(pictures[unused.picture]), student.name, std::move(reason)});
+    }
+    student.of_references = std::move(matches.pictures);
+    return static_cast<std::size_t>(std::count_if(student.of_references.begin(),
+                                                  student.of_references.end(),
+                                                  [](int picture) { return picture >= 0; }));
+  }
+
+  // The files of unknown students are those of the first part.
+  std::vector<IgnoredFile> ignored_of_nobody(const StudentRange& range) const {
+    return range.begin == 0 ? ignored_ : std::vector<IgnoredFile>();
+  }
+
+  // Null if there is none.
+  static const FoundFile* picture_of(const Student& student, std::size_t reference) {
+    const int picture = student.of_references[reference];
+    return picture < 0 ? nullptr : &student.pictures[static_cast<std::size_t>(picture)];
+  }
+
+  // The bytes of the pictures that are in archives, for each reference; of others, an error.
+  std::vector<Result<std::string>> read_archived_of(const Student& student) const {
+    std::vector<Result<std::string>> bytes(references_.size(), Error{});
+    std::vector<FoundFile> files;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < references_.size(); ++i) {
+      if (const FoundFile* const file = picture_of(student, i);
+          file != nullptr && !file->entries.empty()) {
+        files.push_back(*file);
+        places.push_back(i);
+      }
+    }
+    const bool of_class = !files.empty() && files.front().path == request_.handed_in;
+    std::vector<Result<std::string>> read =
+        read_archived(files, of_class ? class_archive_budget : ArchiveBudget());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      bytes[places[i]] = std::move(read[i]);
+    }
+    return bytes;
+  }
+
+  // Below the folder of the class, with the names of archives.
+  std::string path_in_class(const FoundFile& file) const {
+    std::string path = file.path == request_.handed_in ? "" : without_folder(file.path);
+    for (const std::string& entry : file.entries) {
+      path += (path.empty() ? "" : "/") + entry;
+    }
+    return path;
+  }
+
   // The error if no picture of the class has a matching name: what was expected and what exists.
   std::string nothing_matches(std::size_t seen) const {
     if (seen == 0) {
-      return fmt::format("{} contains no pictures", quoted(request_.handed_in, 400));
+      std::vector<IgnoredFile> files = ignored_;
+      for (const Student& student : students_) {
+        files.insert(files.end(), student.ignored.begin(), student.ignored.end());
+      }
+      return fmt::format("{} contains no pictures{}", quoted(request_.handed_in, 400),
+                         files.empty() ? ""
+                                       : fmt::format("; {}: {}", escaped(files.front().path),
+                                                     escaped(files.front().reason)));
     }
     const auto with_one =
-        std::find_if(folders_.begin(), folders_.end(),
-                     [](const StudentFolder& folder) { return !folder.unmatched.empty(); });
+        std::find_if(students_.begin(), students_.end(),
+                     [](const Student& student) { return !student.unmatched.empty(); });
     const std::string name = escaped(references_.front().name);
     return fmt::format(
         "no picture in {} has the name of a reference in {}: looked for {}.png, {}_gen.png, "
@@ -394,7 +465,7 @@ struct ClassGrader::State {
     for (const FoundFile& file : files_) {
       const RealtimeRow* const row = row_of(table_, file);
       const int named = row == nullptr ? -1 : file_named(scenes, row->scene);
-      const int matched = named >= 0 ? named : match_pictures({file}, scenes).front();
+      const int matched = named >= 0 ? named : best_named(file, scenes);
       result.push_back(matched >= 0 ? matched : scene_of_variant(file, scenes));
     }
     return result;
@@ -434,28 +505,42 @@ struct ClassGrader::State {
     return text;
   }
 
-  // `path` of the picture; empty if there is none.
-  PictureResult grade(Reference& reference, const std::string& path,
+  // `file`: null if there is no picture. `archived`: its bytes, if it is in an archive.
+  PictureResult grade(Reference& reference, const FoundFile* file, Result<std::string> archived,
                       const std::function<bool(double)>& go_on) const {
     PictureResult result;
     result.name = reference.name;
-    if (path.empty()) {
+    if (file == nullptr) {
       result.verdict = Verdict::missing;
       result.reasons = {"there is no picture with that name"};
       return result;
     }
     // A link could point to the reference, or to another student's work.
-    if (is_link(path)) {
+    if (file->entries.empty() && is_link(file->path)) {
       result.verdict = Verdict::unreadable;
       result.reasons = {"a symbolic link was submitted, not a picture"};
       return result;
     }
     enter("reading a picture");
-    Result<DecodedPicture> picture = load_picture_file(path, request_.layer);
+    const Result<std::string> bytes =
+        file->entries.empty() ? read_file(file->path, Limits{}.file_bytes) : std::move(archived);
+    if (!bytes) {
+      result.verdict = Verdict::unreadable;
+      result.reasons = {without_folder(bytes.error().text)};
+      return result;
+    }
+    Hash hash;
+    hash.add(*bytes);
+    result.fingerprint = hash.value();
+    Result<DecodedPicture> picture =
+        decode_picture_file(*bytes, path_in_class(*file), request_.layer);
     if (!picture) {
       result.verdict = Verdict::unreadable;
-      result.reasons = {without_folder(picture.error().text)};
+      result.reasons = {picture.error().text};
       return result;
+    }
+    if (result.fingerprint == reference.fingerprint) {
+      result.notes.emplace_back("the file is that of the reference, byte for byte");
     }
     DecodedPicture right = reference.picture;
     round_alike(right, *picture);
@@ -517,7 +602,8 @@ struct ClassGrader::State {
   std::vector<RealtimeRow> table_;
   std::vector<Reference> references_;
   Hash fingerprint_;  // of the references
-  std::vector<StudentFolder> folders_;
+  std::vector<Student> students_;
+  std::vector<IgnoredFile> ignored_;  // of unknown students
   int thumbnail_width_ = 320;
 };
 
@@ -527,7 +613,9 @@ ClassGrader::~ClassGrader() = default;
 
 Result<ClassGrader> ClassGrader::open(const GradeRequest& request, const LoadShownScene& load_scene,
                                       const std::function<void(const char* phase)>& entering) {
-  for (const std::string& folder : {request.handed_in, request.references, request.scenes}) {
+  const bool archive = is_archive_name(request.handed_in) && stamp_of(request.handed_in).exists;
+  for (const std::string& folder :
+       {archive ? std::string() : request.handed_in, request.references, request.scenes}) {
     if (!folder.empty() && !is_folder(folder)) {
       return Error{fmt::format("{} is not a readable folder", quoted(folder, 400))};
     }
@@ -578,7 +666,11 @@ Result<Gradebook> grade_class(const GradeRequest& request, const LoadShownScene&
   if (!grader) {
     return grader.error();
   }
-  return grader->grade({0, grader->students()}, go_on);
+  Result<Gradebook> book = grader->grade({0, grader->students()}, go_on);
+  if (book) {
+    find_identical_files(*book);
+  }
+  return book;
 }
 
 std::string gradebook_json(const Gradebook& book) {
@@ -600,11 +692,26 @@ std::string gradebook_json(const Gradebook& book) {
       }
       add_clauses(json, "reasons", picture.reasons);
       add_claims(json, "causes", picture.causes);
-      add_clauses(json, "notes", picture.notes);
+      std::vector<std::string> notes = picture.notes;
+      if (!picture.identical.empty()) {
+        notes.push_back("identical files: " + picture.identical);
+      }
+      add_clauses(json, "notes", notes);
       json.end_object();
     }
     json.end_array();
     add_clauses(json, "unmatched", student.unmatched);
+    json.end_object();
+  }
+  json.end_array();
+  json.begin_array("ignored");
+  for (const IgnoredFile& file : book.ignored) {
+    json.begin_object();
+    json.add("path", file.path);
+    if (!file.student.empty()) {
+      json.add("student", file.student);
+    }
+    json.add("reason", file.reason);
     json.end_object();
   }
   json.end_array();

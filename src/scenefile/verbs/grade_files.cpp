@@ -2,6 +2,7 @@
 
 #include "scenefile/base/ascii.h"
 #include "scenefile/base/text.h"
+#include "scenefile/io/archive.h"
 #include "scenefile/verbs/load_file.h"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ std::string plain(std::string_view name) {
 
 // Maps folder names of different layouts to a common name.
 std::string meaning(std::string_view folder) {
-  std::string word = plain(folder);
+  std::string word = plain(without_archive_ending(folder));
   static constexpr std::array<std::array<std::string_view, 2>, 12> same{
       {{"light", "illuminate"},
        {"lights", "illuminate"},
@@ -90,6 +91,10 @@ std::string_view without_copy_mark(std::string_view stem) {
   return mark ? stem.substr(0, open) : stem;
 }
 
+// What programs of the course add to names.
+constexpr std::array<std::string_view, 5> endings_of_programs{"gen", "output", "out", "student",
+                                                              "result"};
+
 // The confidence that the names match; 0 if they do not.
 int name_score(const FoundFile& reference, const FoundFile& picture) {
   if (reference.stem == picture.stem) {
@@ -100,8 +105,8 @@ int name_score(const FoundFile& reference, const FoundFile& picture) {
   if (r == p) {
     return 7;
   }
-  for (const char* ending : {"gen", "output", "out", "student", "result"}) {
-    if (p == r + ending || r == p + ending) {
+  for (const std::string_view ending : endings_of_programs) {
+    if (p == r + std::string(ending) || r == p + std::string(ending)) {
       return 6;
     }
   }
@@ -119,6 +124,93 @@ int name_score(const FoundFile& reference, const FoundFile& picture) {
     }
   }
   return 0;
+}
+
+// The stem's words: where each starts and ends.
+std::vector<std::array<std::size_t, 2>> words_of(std::string_view stem) {
+  std::vector<std::array<std::size_t, 2>> words;
+  for (std::size_t i = 0; i < stem.size(); ++i) {
+    if (plain(stem.substr(i, 1)).empty()) {
+      continue;
+    }
+    const bool first = words.empty() || words.back()[1] != i;
+    if (first) {
+      words.push_back({i, i});
+    }
+    words.back()[1] = i + 1;
+  }
+  return words;
+}
+
+constexpr std::size_t max_words = 24;
+
+// Whether `stem` ends with `part`, in whole words. One without letters says too little.
+bool ends_with_words(std::string_view stem, std::string_view part) {
+  const std::string wanted = plain(part);
+  if (wanted.find_first_not_of("0123456789") == std::string::npos) {
+    return false;
+  }
+  const auto words = words_of(stem);
+  return words.size() <= max_words && plain(stem).ends_with(wanted) &&
+         std::any_of(words.begin(), words.end(),
+                     [&](const auto& w) { return plain(stem.substr(w[0])) == wanted; });
+}
+
+// Whether `stem` contains `part`, in whole words.
+bool contains_words(std::string_view stem, std::string_view part) {
+  const auto words = words_of(stem);
+  return words.size() <= max_words && plain(stem).find(plain(part)) != std::string::npos &&
+         std::any_of(words.begin(), words.end(),
+                     [&](const auto& w) { return ends_with_words(stem.substr(0, w[1]), part); });
+}
+
+// The references that a picture fits by a part of a name; `score` says how well. Several: unclear.
+std::vector<std::size_t> fitting(const std::vector<FoundFile>& references, const FoundFile& picture,
+                                 int& score) {
+  std::vector<std::size_t> found;
+  if (is_in_texture_folder(picture)) {
+    return found;
+  }
+  score = 3;
+  std::string_view stem = without_copy_mark(picture.stem);
+  for (const std::string_view ending : endings_of_programs) {
+    const std::size_t start = stem.size() - std::min(stem.size(), ending.size());
+    if (start > 1 && lower_case(stem.substr(start)) == ending &&
+        plain(stem.substr(start - 1, 1)).empty()) {
+      stem = stem.substr(0, start - 1);
+      break;
+    }
+  }
+  for (std::size_t r = 0; r < references.size(); ++r) {
+    if (ends_with_words(references[r].stem, stem)) {
+      found.push_back(r);
+    }
+  }
+  if (!found.empty()) {
+    return found;
+  }
+  score = 2;
+  std::size_t longest = 0;
+  for (std::size_t r = 0; r < references.size(); ++r) {
+    if (contains_words(picture.stem, references[r].stem)) {
+      found.push_back(r);
+      longest = std::max(longest, plain(references[r].stem).size());
+    }
+  }
+  const auto is_longest = [&](std::size_t r) {
+    return plain(references[r].stem).size() == longest;
+  };
+  const auto best = std::find_if(found.begin(), found.end(), is_longest);
+  if (best == found.end()) {
+    return found;
+  }
+  // Shorter names in the longest one are not a second choice.
+  const std::string_view whole = references[*best].stem;
+  std::vector<std::size_t> others;
+  std::copy_if(found.begin(), found.end(), std::back_inserter(others), [&](std::size_t r) {
+    return is_longest(r) || !contains_words(whole, references[r].stem);
+  });
+  return others;
 }
 
 int folder_score(const FoundFile& reference, const FoundFile& picture) {
@@ -140,6 +232,11 @@ std::vector<FoundFile> files_below(const std::string& folder,
   std::vector<FoundFile> files;
   add_files(folder, wanted, {}, files);
   return files;
+}
+
+std::string file_name(const FoundFile& file) {
+  const std::string& path = file.entries.empty() ? file.path : file.entries.back();
+  return path.substr(path.rfind('/') + 1);
 }
 
 namespace {
@@ -183,7 +280,9 @@ bool is_named(const FoundFile& file, const std::string& name) {
   const auto ends = [&](const std::string& whole) {
     return whole == name || whole.ends_with("/" + name);
   };
-  return ends(folders + file.stem) || ends(folders + file.stem + ending_of(file.path));
+  const std::string written = file_name(file);
+  return ends(folders + file.stem) || ends(folders + file.stem + ending_of(written)) ||
+         ends(folders + written);
 }
 
 std::vector<NamePair> read_name_map(std::string_view text, std::string& wrong) {
@@ -209,27 +308,42 @@ std::vector<NamePair> read_name_map(std::string_view text, std::string& wrong) {
   return map;
 }
 
-std::vector<int> match_pictures(const std::vector<FoundFile>& references,
-                                const std::vector<FoundFile>& pictures,
-                                const std::vector<NamePair>& map) {
+PictureMatches match_pictures(const std::vector<FoundFile>& references,
+                              const std::vector<FoundFile>& pictures,
+                              const std::vector<NamePair>& map) {
   struct Pair {
     int score;
     std::size_t reference;
     std::size_t picture;
   };
   std::vector<Pair> pairs;
-  for (std::size_t r = 0; r < references.size(); ++r) {
-    for (std::size_t p = 0; p < pictures.size(); ++p) {
+  std::vector<std::vector<std::size_t>> several(pictures.size());
+  for (std::size_t p = 0; p < pictures.size(); ++p) {
+    const auto depth = static_cast<int>(pictures[p].folders.size());
+    bool named = false;
+    for (std::size_t r = 0; r < references.size(); ++r) {
       if (const int name = name_score(references[r], pictures[p]); name > 0) {
         const int folders = folder_score(references[r], pictures[p]);
-        pairs.push_back(
-            {100 * folders + 10 * name - static_cast<int>(pictures[p].folders.size()), r, p});
+        pairs.push_back({100 * folders + 10 * name - depth, r, p});
+        named = true;
+      }
+    }
+    if (!named) {
+      int name = 0;
+      std::vector<std::size_t> fits = fitting(references, pictures[p], name);
+      if (fits.size() == 1) {
+        // Never better than a whole name.
+        pairs.push_back({10 * name - depth - 100, fits.front(), p});
+      } else {
+        several[p] = std::move(fits);
       }
     }
   }
   std::stable_sort(pairs.begin(), pairs.end(),
                    [](const Pair& a, const Pair& b) { return a.score > b.score; });
-  std::vector<int> result(references.size(), -1);
+  PictureMatches matches;
+  std::vector<int>& result = matches.pictures;
+  result.assign(references.size(), -1);
   std::vector<bool> taken(pictures.size());
   for (const NamePair& named : map) {
     for (std::size_t r = 0; r < references.size(); ++r) {
@@ -248,7 +362,33 @@ std::vector<int> match_pictures(const std::vector<FoundFile>& references,
       taken[pair.picture] = true;
     }
   }
-  return result;
+  std::vector<int> best_reference(pictures.size(), -1);
+  for (const Pair& pair : pairs) {
+    int& best = best_reference[pair.picture];
+    best = best < 0 ? static_cast<int>(pair.reference) : best;
+  }
+  for (std::size_t p = 0; p < pictures.size(); ++p) {
+    if (!taken[p]) {
+      matches.unused.push_back({p, best_reference[p], std::move(several[p])});
+    }
+  }
+  return matches;
+}
+
+int best_named(const FoundFile& file, const std::vector<FoundFile>& files) {
+  int best = -1;
+  int best_score = 0;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (const int name = name_score(file, files[i]); name > 0) {
+      const int score = 100 * folder_score(file, files[i]) + 10 * name -
+                        static_cast<int>(files[i].folders.size());
+      if (best < 0 || score > best_score) {
+        best = static_cast<int>(i);
+        best_score = score;
+      }
+    }
+  }
+  return best;
 }
 
 std::vector<std::string> reference_names(const std::vector<FoundFile>& references) {

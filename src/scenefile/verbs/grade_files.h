@@ -11,10 +11,16 @@ namespace scenefile {
 
 /// A file below a folder.
 struct FoundFile {
-  std::string path;                  ///< for opening
-  std::vector<std::string> folders;  ///< below the searched folder, outermost first
-  std::string stem;                  ///< name without extension
+  std::string path;  ///< for opening; of the outermost archive, if it is in one
+  /// Below the searched folder, outermost first. Archives count as folders.
+  std::vector<std::string> folders;
+  std::string stem;  ///< name without extension
+  /// If it is in an archive: its path there, preceded by those of the archives in archives.
+  std::vector<std::string> entries = {};
 };
+
+/// The last part of its path.
+std::string file_name(const FoundFile& file);
 
 /// The files below `folder` with suitable names, sorted by name; at most 8 folders deep. Skips
 /// files that archivers and operating systems add (`__MACOSX`, names that start with a dot). Does
@@ -37,13 +43,30 @@ struct NamePair {
 /// start with # are ignored. `wrong`: an error text with the line number; empty on success.
 std::vector<NamePair> read_name_map(std::string_view text, std::string& wrong);
 
-/// For each reference, the matching picture as an index into `pictures`; -1 if there is none. Names
-/// match if they are equal, or after adding _gen, _output or _out, or with the folder as a prefix
-/// (FOLDER_X). If several references or pictures have the same name, their folders decide. Pairs in
+/// Why a picture shows no reference.
+struct UnusedPicture {
+  std::size_t picture = 0;
+  int reference = -1;  ///< that it fits, but for which another picture has the better name
+  std::vector<std::size_t> several;  ///< references that it fits equally well
+};
+
+struct PictureMatches {
+  std::vector<int> pictures;  ///< for each reference an index into the pictures; -1: none
+  std::vector<UnusedPicture> unused;
+};
+
+/// Finds the picture of each reference. Names match if they are equal, or after adding _gen,
+/// _output or _out, or with the folder as a prefix (FOLDER_X). Otherwise, a picture fits the only
+/// reference whose name ends with its name (light_2 for test_light_2), or the longest reference
+/// name that its name contains (hw2_light_2_final), in whole words. If several references or
+/// pictures have the same name, their folders decide, then the order of the pictures. Pairs in
 /// `map` take precedence.
-std::vector<int> match_pictures(const std::vector<FoundFile>& references,
-                                const std::vector<FoundFile>& pictures,
-                                const std::vector<NamePair>& map = {});
+PictureMatches match_pictures(const std::vector<FoundFile>& references,
+                              const std::vector<FoundFile>& pictures,
+                              const std::vector<NamePair>& map = {});
+
+/// The file that has the name of `file` by these rules, without those for parts of names; -1: none.
+int best_named(const FoundFile& file, const std::vector<FoundFile>& files);
 
 /// Unique names of the references: the stem, with its folder if the stem is not unique.
 std::vector<std::string> reference_names(const std::vector<FoundFile>& references);

@@ -80,24 +80,26 @@ void load_written_file(LoadedScene& scene, const LoadSettings& settings,
   load_written(scene, fetch, settings);
 }
 
-Result<DecodedPicture> load_picture_file(const std::string& path, std::string_view layer,
-                                         const Limits& limits) {
-  const Result<std::string> bytes = read_file(path, limits.file_bytes);
-  if (!bytes) {
-    return bytes.error();
-  }
+Result<DecodedPicture> decode_picture_file(std::string_view bytes, const std::string& path,
+                                           std::string_view layer, const Limits& limits) {
   const std::string name = escaped(shown_name(path), 4096);
-  if (!is_image(*bytes) && is_scene_name(path)) {
+  if (!is_image(bytes) && is_scene_name(path)) {
     return input_error(fmt::format("{} is a scene, not a picture", name));
   }
-  Result<DecodedPicture> picture = decode_picture(*bytes, layer, limits);
+  Result<DecodedPicture> picture = decode_picture(bytes, layer, limits);
   if (!picture) {
-    const bool known = is_image(*bytes);
+    const bool known = is_image(bytes);
     return Error{
         fmt::format("{}: {}{}", name, known ? "cannot decode: " : "", picture.error().text),
         picture.error().kind};
   }
   return picture;
+}
+
+Result<DecodedPicture> load_picture_file(const std::string& path, std::string_view layer,
+                                         const Limits& limits) {
+  const Result<std::string> bytes = read_file(path, limits.file_bytes);
+  return bytes ? decode_picture_file(*bytes, path, layer, limits) : bytes.error();
 }
 
 std::vector<AssetFile> locate_files(const LoadedScene& scene, const AssetAccess& access,

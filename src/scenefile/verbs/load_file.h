@@ -36,8 +36,12 @@ LoadedScene load_scene_file(const std::string& path, const LoadSettings& setting
 void load_written_file(LoadedScene& scene, const LoadSettings& settings = {},
                        const AssetAccess& access = {});
 
-/// The picture in a file; `layer` as for decode_picture(). The error names the file, and says so if
-/// it is a scene.
+/// The picture in the bytes of the file at `path`; `layer` as for decode_picture(). The error names
+/// the file, and says so if it is a scene.
+Result<DecodedPicture> decode_picture_file(std::string_view bytes, const std::string& path,
+                                           std::string_view layer = {}, const Limits& limits = {});
+
+/// The same, after reading it.
 Result<DecodedPicture> load_picture_file(const std::string& path, std::string_view layer = {},
                                          const Limits& limits = {});
 

@@ -1,0 +1,285 @@
+#include "scenefile/io/archive.h"
+
+#include "scenefile/base/ascii.h"
+#include "scenefile/base/limits.h"
+#include "scenefile/io/descriptor.h"
+#include "scenefile/io/folder.h"
+
+#include <archive.h>
+#include <archive_entry.h>
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <locale.h>
+
+#include <algorithm>
+#include <clocale>
+#include <memory>
+
+namespace scenefile {
+
+namespace {
+
+// libarchive is loaded when the first archive is opened: linked, it would make every start of the
+// program slower (decision 25).
+#define SCENEFILE_ARCHIVE_FUNCTIONS(ROW) \
+  ROW(read_new)                          \
+  ROW(read_free)                         \
+  ROW(read_support_filter_gzip)          \
+  ROW(read_support_format_zip_seekable)  \
+  ROW(read_support_format_tar)           \
+  ROW(read_open_fd)                      \
+  ROW(read_open_memory)                  \
+  ROW(read_next_header)                  \
+  ROW(read_data)                         \
+  ROW(filter_bytes)                      \
+  ROW(format)                            \
+  ROW(error_string)                      \
+  ROW(entry_pathname)                    \
+  ROW(entry_filetype)                    \
+  ROW(entry_hardlink)                    \
+  ROW(entry_size)                        \
+  ROW(entry_is_encrypted)
+
+struct Library {
+#define ROW(name) decltype(&::archive_##name) name = nullptr;
+  SCENEFILE_ARCHIVE_FUNCTIONS(ROW)
+#undef ROW
+};
+
+// Returns false if the library does not exist. It is never unloaded.
+bool load(Library& library) {
+  void* const file = ::dlopen("libarchive.so.13", RTLD_NOW | RTLD_LOCAL);
+  if (file == nullptr) {
+    return false;
+  }
+#define ROW(name)                                                                           \
+  library.name = reinterpret_cast<decltype(library.name)>(::dlsym(file, "archive_" #name)); \
+  if (library.name == nullptr) {                                                            \
+    return false;                                                                           \
+  }
+  SCENEFILE_ARCHIVE_FUNCTIONS(ROW)
+#undef ROW
+  return true;
+}
+
+// libarchive converts the names of entries to the encoding of the thread's locale.
+class Utf8Names {
+ public:
+  Utf8Names() : locale_(::newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)) {
+    if (locale_ != nullptr) {
+      before_ = ::uselocale(locale_);
+    }
+  }
+  ~Utf8Names() {
+    if (locale_ != nullptr) {
+      ::uselocale(before_);
+      ::freelocale(locale_);
+    }
+  }
+  Utf8Names(const Utf8Names&) = delete;
+  Utf8Names& operator=(const Utf8Names&) = delete;
+
+ private:
+  locale_t locale_;
+  locale_t before_ = nullptr;
+};
+
+constexpr int max_folders = 16;
+
+// The path without empty parts and "."; `problem` says what is wrong with it.
+std::string clean_path(std::string_view written, std::string& problem) {
+  const bool drive = written.size() > 1 && written[1] == ':' && lower(written[0]) >= 'a' &&
+                     lower(written[0]) <= 'z';
+  bool leads_out = drive || written.starts_with('/') || written.starts_with('\\');
+  std::string path;
+  int folders = 0;
+  while (!written.empty()) {
+    const std::size_t slash = std::min(written.find('/'), written.size());
+    const std::string_view part = written.substr(0, slash);
+    written.remove_prefix(std::min(slash + 1, written.size()));
+    leads_out = leads_out || part == "..";
+    if (!part.empty() && part != ".") {
+      path += path.empty() ? "" : "/";
+      path += part;
+      folders += written.empty() ? 0 : 1;
+    }
+  }
+  problem = leads_out               ? "its path leads out of the archive"
+            : folders > max_folders ? fmt::format("it is in more than {} folders", max_folders)
+                                    : "";
+  return path;
+}
+
+bool is_junk_path(std::string_view path) {
+  for (;;) {
+    const std::size_t slash = path.find('/');
+    const std::string_view part = path.substr(0, slash);
+    if (part != ".." && is_junk_name(part)) {
+      return true;
+    }
+    if (slash == std::string_view::npos) {
+      return false;
+    }
+    path.remove_prefix(slash + 1);
+  }
+}
+
+// Goes through an archive that is open.
+class Visitor {
+ public:
+  Visitor(const Library& library, ::archive* archive, ArchiveBudget& budget)
+      : library_(library), archive_(archive), budget_(budget) {}
+
+  std::string visit_all(const VisitEntry& visit) {
+    for (::archive_entry* entry = nullptr;;) {
+      const int status = library_.read_next_header(archive_, &entry);
+      if (status == ARCHIVE_EOF) {
+        return {};
+      }
+      if (status != ARCHIVE_OK && status != ARCHIVE_WARN) {
+        return fmt::format("it cannot be read as an archive: {}", message());
+      }
+      if (budget_.entries == 0) {
+        return "it contains too many files";
+      }
+      --budget_.entries;
+      if (!is_zip()) {
+        // Skipping an entry unpacks it.
+        const auto at = static_cast<std::uint64_t>(library_.filter_bytes(archive_, 0));
+        const auto size =
+            static_cast<std::uint64_t>(std::max<std::int64_t>(0, library_.entry_size(entry)));
+        budget_.bytes -= std::min(budget_.bytes, at - std::min(at, position_));
+        position_ = at;
+        if (size > budget_.bytes) {
+          return too_large;
+        }
+      }
+      ArchiveEntry file;
+      if (!describe(entry, file)) {
+        continue;
+      }
+      bool exhausted = false;
+      visit(file, [&](std::uint64_t max_bytes) -> Result<std::string> {
+        return file.problem.empty() ? read(max_bytes, exhausted) : Error{file.problem};
+      });
+      if (exhausted) {
+        return too_large;
+      }
+    }
+  }
+
+ private:
+  static constexpr const char* too_large = "it is too large when unpacked";
+
+  std::string_view message() const {
+    const char* const text = library_.error_string(archive_);
+    return text == nullptr || *text == '\0' ? "unknown error" : text;
+  }
+
+  bool is_zip() const {
+    return (library_.format(archive_) & ARCHIVE_FORMAT_BASE_MASK) == ARCHIVE_FORMAT_ZIP;
+  }
+
+  // Returns false for folders and junk.
+  bool describe(::archive_entry* entry, ArchiveEntry& file) const {
+    const char* const name = library_.entry_pathname(entry);
+    const auto type = library_.entry_filetype(entry);
+    if (type == AE_IFDIR) {
+      return false;
+    }
+    if (name == nullptr) {
+      file.problem = "its name cannot be read";
+      return true;
+    }
+    file.path = clean_path(name, file.problem);
+    if (is_junk_path(file.path)) {
+      return false;
+    }
+    if (library_.entry_hardlink(entry) != nullptr) {
+      file.problem = "a hard link, not a file";
+    } else if (type == AE_IFLNK) {
+      file.problem = "a symbolic link, not a file";
+    } else if (type != AE_IFREG) {
+      file.problem = "not a regular file";
+    } else if (file.problem.empty() && library_.entry_is_encrypted(entry) != 0) {
+      file.problem = "protected by a password";
+    }
+    return true;
+  }
+
+  Result<std::string> read(std::uint64_t max_bytes, bool& exhausted) {
+    std::string bytes;
+    const std::size_t piece = std::size_t{1} << 16;
+    for (std::size_t size = 0;;) {
+      bytes.resize(size + piece);
+      const auto got = library_.read_data(archive_, bytes.data() + size, piece);
+      if (got < 0) {
+        return Error{fmt::format("it is damaged: {}", message())};
+      }
+      size += static_cast<std::size_t>(got);
+      if (is_zip()) {
+        exhausted = static_cast<std::uint64_t>(got) > budget_.bytes;
+        budget_.bytes -= std::min(budget_.bytes, static_cast<std::uint64_t>(got));
+      }
+      if (exhausted || size > max_bytes) {
+        return Error{too_large, ErrorKind::limit};
+      }
+      bytes.resize(size);
+      if (got == 0) {
+        return bytes;
+      }
+    }
+  }
+
+  const Library& library_;
+  ::archive* archive_;
+  ArchiveBudget& budget_;
+  std::uint64_t position_ = 0;  // in the unpacked tar
+};
+
+// `open` gives the archive to libarchive, and returns its status.
+template <typename Open>
+std::string visit_opened(ArchiveBudget& budget, const VisitEntry& visit, const Open& open) {
+  static const Library library = [] {
+    Library found;
+    return load(found) ? found : Library();
+  }();
+  if (library.entry_is_encrypted == nullptr) {
+    return "archives are read with libarchive.so.13, which cannot be loaded: install libarchive13";
+  }
+  const Utf8Names utf8_names;
+  const std::unique_ptr<::archive, decltype(library.read_free)> archive(library.read_new(),
+                                                                        library.read_free);
+  if (archive == nullptr) {
+    return "there is not enough memory to read it";
+  }
+  library.read_support_filter_gzip(archive.get());
+  library.read_support_format_zip_seekable(archive.get());
+  library.read_support_format_tar(archive.get());
+  if (const int status = open(library, archive.get());
+      status != ARCHIVE_OK && status != ARCHIVE_WARN) {
+    return fmt::format("it cannot be read as an archive: {}", library.error_string(archive.get()));
+  }
+  return Visitor(library, archive.get(), budget).visit_all(visit);
+}
+
+}  // namespace
+
+std::string visit_archive(const std::string& path, ArchiveBudget& budget, const VisitEntry& visit) {
+  const Result<OpenFile> file = open_regular(path, false, Limits{}.file_bytes);
+  if (!file) {
+    return file.error().text;
+  }
+  return visit_opened(budget, visit, [&](const Library& library, ::archive* archive) {
+    return library.read_open_fd(archive, file->descriptor.get(), std::size_t{1} << 16);
+  });
+}
+
+std::string visit_archive_bytes(std::string_view bytes, ArchiveBudget& budget,
+                                const VisitEntry& visit) {
+  return visit_opened(budget, visit, [&](const Library& library, ::archive* archive) {
+    return library.read_open_memory(archive, bytes.data(), bytes.size());
+  });
+}
+
+}  // namespace scenefile

@@ -1,0 +1,660 @@
+#include "scenefile/verbs/class_files.h"
+
+#include "scenefile/asset/image_file.h"
+#include "scenefile/base/ascii.h"
+#include "scenefile/base/limits.h"
+#include "scenefile/base/text.h"
+#include "scenefile/io/archive.h"
+#include "scenefile/io/file.h"
+#include "scenefile/io/folder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace scenefile {
+
+namespace {
+
+constexpr std::size_t max_files = 20'000;  // of a student
+constexpr std::size_t max_folders = 16;
+constexpr std::size_t max_archives = 3;  // in one another
+constexpr std::string_view gradescope_table = "submission_metadata.yml";
+constexpr std::string_view not_a_picture = "not a picture";
+
+// A file in the class.
+struct Item {
+  FoundFile file;      // its folders are those below the class
+  std::string reason;  // why it is not a picture; empty: it is one
+};
+
+struct Listing {
+  std::vector<Item> items;
+  std::vector<std::string> folders;  // directly in the class; possibly empty ones
+  std::string gradescope;            // the contents of its table
+};
+
+// The extension of a name in lower case, with the dot; empty if there is none.
+std::string ending_of(std::string_view name) {
+  const std::size_t point = name.rfind('.');
+  return point == std::string_view::npos ? std::string() : lower_case(name.substr(point));
+}
+
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool is_other_archive(std::string_view name) {
+  return is_one_of(ending_of(name), {".rar", ".7z", ".gz", ".bz2", ".tbz", ".tbz2", ".xz", ".txz",
+                                     ".zst", ".lz", ".lzma", ".z", ".zipx"});
+}
+
+// Why a file with this name is not read.
+std::string why_unread(std::string_view name) {
+  if (is_other_archive(name)) {
+    return "archives of this kind are not read: use .zip, .tar or .tar.gz";
+  }
+  if (is_one_of(ending_of(name), {".webp", ".heic", ".heif", ".tif", ".tiff", ".avif", ".jxl",
+                                  ".svg", ".pdf", ".psd"})) {
+    return "pictures of this kind are not read: use .png";
+  }
+  return std::string(not_a_picture);
+}
+
+std::string joined(const std::vector<std::string>& folders, const std::string& name) {
+  std::string path;
+  for (const std::string& folder : folders) {
+    path += folder + "/";
+  }
+  return path + name;
+}
+
+FoundFile file_of(std::string path, std::vector<std::string> folders,
+                  std::vector<std::string> entries = {}) {
+  FoundFile file{std::move(path), std::move(folders), {}, std::move(entries)};
+  const std::string name = file_name(file);
+  file.stem = name.substr(0, name.size() - ending_of(name).size());
+  return file;
+}
+
+// What an archive in another one may use.
+ArchiveBudget inner_budget(const ArchiveBudget& outer) {
+  const ArchiveBudget usual;
+  return {std::min(usual.entries, outer.entries), std::min(usual.bytes, outer.bytes)};
+}
+
+// Visits an archive in another one, whose budget it shares.
+template <typename Visit>
+std::string visit_inner(const std::string& bytes, ArchiveBudget& outer, const Visit& visit) {
+  const ArchiveBudget before = inner_budget(outer);
+  ArchiveBudget inner = before;
+  std::string why = visit_archive_bytes(
+      bytes, inner,
+      [&](const ArchiveEntry& entry, const ReadEntry& read) { visit(entry, read, inner); });
+  outer.entries -= before.entries - inner.entries;
+  outer.bytes -= before.bytes - inner.bytes;
+  return why;
+}
+
+// Lists folders and archives.
+class Lister {
+ public:
+  explicit Lister(Listing& listing) : listing_(listing) {}
+
+  void add_class(const std::string& folder) {
+    if (!is_folder(folder)) {
+      // The archive itself is no folder of the class.
+      left_ = class_archive_budget.entries;
+      const std::string why = add_archive(file_of(folder, {}), {}, class_archive_budget);
+      if (!why.empty()) {
+        listing_.items.push_back({file_of(folder, {}), why});
+      }
+      return;
+    }
+    for (const FolderEntry& entry : entries_of(folder)) {
+      left_ = max_files;
+      if (entry.folder) {
+        listing_.folders.push_back(entry.name);
+        add_folder(entry.path, {entry.name});
+      } else {
+        add_file(entry, {});
+      }
+    }
+  }
+
+ private:
+  void add(FoundFile file, std::string reason) {
+    if (left_ == 0) {
+      return;
+    }
+    --left_;
+    listing_.items.push_back(
+        {std::move(file),
+         left_ > 0 ? std::move(reason) : "there are too many files: those after it are not read"});
+  }
+
+  void add_folder(const std::string& folder, const std::vector<std::string>& folders) {
+    for (const FolderEntry& entry : entries_of(folder)) {
+      if (!entry.folder) {
+        add_file(entry, folders);
+      } else if (entry.link || folders.size() >= max_folders) {
+        add(file_of(entry.path, folders),
+            entry.link ? "links to folders are not followed"
+                       : fmt::format("it is in more than {} folders", max_folders));
+      } else {
+        std::vector<std::string> inside = folders;
+        inside.push_back(entry.name);
+        add_folder(entry.path, inside);
+      }
+    }
+  }
+
+  void add_file(const FolderEntry& entry, const std::vector<std::string>& folders) {
+    FoundFile file = file_of(entry.path, folders);
+    if (folders.empty() && entry.name == gradescope_table) {
+      const Result<std::string> text = read_file(entry.path, Limits{}.file_bytes);
+      listing_.gradescope = text ? *text : std::string();
+      return;
+    }
+    if (is_picture_name(entry.name)) {
+      add(std::move(file), {});
+      return;
+    }
+    std::string why;
+    if (!is_archive_name(entry.name)) {
+      why = why_unread(entry.name);
+    } else if (entry.link) {
+      why = "a symbolic link, not a file";
+    } else {
+      std::vector<std::string> inside = folders;
+      inside.push_back(entry.name);
+      why = add_archive(file, inside, {});
+    }
+    if (!why.empty()) {
+      add(std::move(file), std::move(why));
+    }
+  }
+
+  // Returns what is wrong with the archive; its entries are in `folders`.
+  std::string add_archive(const FoundFile& archive, const std::vector<std::string>& folders,
+                          ArchiveBudget budget) {
+    budget.entries = std::min<std::uint64_t>(budget.entries, left_);
+    const std::size_t before = listing_.items.size();
+    std::string why =
+        visit_archive(archive.path, budget, [&](const ArchiveEntry& entry, const ReadEntry& read) {
+          add_entry(archive, folders, entry, read, budget);
+        });
+    return why.empty() && listing_.items.size() == before ? "it contains no files" : why;
+  }
+
+  void add_entry(const FoundFile& archive, std::vector<std::string> folders,
+                 const ArchiveEntry& entry, const ReadEntry& read, ArchiveBudget& budget) {
+    std::string_view path = entry.path;
+    for (std::size_t slash = path.find('/'); slash != std::string_view::npos;
+         slash = path.find('/')) {
+      folders.emplace_back(path.substr(0, slash));
+      path.remove_prefix(slash + 1);
+    }
+    std::vector<std::string> entries = archive.entries;
+    entries.push_back(entry.path);
+    FoundFile file = file_of(archive.path, folders, std::move(entries));
+    if (folders.size() <= 1 && path == gradescope_table && entry.problem.empty()) {
+      const Result<std::string> text = read(Limits{}.file_bytes);
+      listing_.gradescope = text ? *text : std::string();
+      return;
+    }
+    std::string why = entry.problem;
+    if (why.empty() && is_archive_name(path)) {
+      std::vector<std::string> inside = folders;
+      inside.emplace_back(path);
+      why = add_inner_archive(file, inside, read, budget);
+      if (why.empty()) {
+        return;
+      }
+    } else if (why.empty() && !is_picture_name(path)) {
+      why = why_unread(path);
+    }
+    add(std::move(file), std::move(why));
+  }
+
+  std::string add_inner_archive(const FoundFile& archive, const std::vector<std::string>& folders,
+                                const ReadEntry& read, ArchiveBudget& budget) {
+    if (archive.entries.size() >= max_archives) {
+      return fmt::format("more than {} archives in one another", max_archives);
+    }
+    const Result<std::string> bytes = read(inner_budget(budget).bytes);
+    if (!bytes) {
+      return bytes.error().text;
+    }
+    const std::size_t before = listing_.items.size();
+    std::string why = visit_inner(
+        *bytes, budget,
+        [&](const ArchiveEntry& entry, const ReadEntry& read_inner, ArchiveBudget& inner) {
+          add_entry(archive, folders, entry, read_inner, inner);
+        });
+    return why.empty() && listing_.items.size() == before ? "it contains no files" : why;
+  }
+
+  Listing& listing_;
+  std::size_t left_ = max_files;
+};
+
+// Of entries with the same path, the last one counts.
+void drop_overwritten(std::vector<Item>& items) {
+  std::map<std::pair<std::string, std::vector<std::string>>, std::size_t> last;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (!items[i].file.entries.empty()) {
+      const auto [at, added] = last.try_emplace({items[i].file.path, items[i].file.entries}, i);
+      if (!added) {
+        items[at->second].reason = "a later entry of the archive has the same name";
+        at->second = i;
+      }
+    }
+  }
+}
+
+// The first folder, or the name of a file directly in the class.
+std::string top_of(const Item& item) {
+  return item.file.folders.empty() ? file_name(item.file) : item.file.folders.front();
+}
+
+bool is_loose(const Item& item) {
+  return item.file.folders.empty();
+}
+
+bool has_reference(const std::vector<FoundFile>& references, const FoundFile& file) {
+  return std::any_of(references.begin(), references.end(), [&](const FoundFile& reference) {
+    return best_named(reference, {file}) == 0;
+  });
+}
+
+// The name in the form of a course system, if it has one and is not the name of a reference.
+bool read_name(const std::string& name, const std::vector<FoundFile>& references,
+               CourseSystemName& result) {
+  return read_course_system_name(name, result) &&
+         !(is_picture_name(name) && has_reference(references, file_of(name, {})));
+}
+
+// Archives of a whole class often have one folder that contains the rest; and the archive that a
+// course system made may lie next to other files.
+void unwrap(std::vector<Item>& items, const std::vector<FoundFile>& references, bool is_archive) {
+  const auto enter = [&](const std::string& top) {
+    for (Item& item : items) {
+      if (!is_loose(item) && item.file.folders.front() == top) {
+        item.file.folders.erase(item.file.folders.begin());
+      }
+    }
+  };
+  while (is_archive && !items.empty() && !is_loose(items.front()) &&
+         !is_archive_name(items.front().file.folders.front()) &&
+         std::all_of(items.begin(), items.end(), [&](const Item& item) {
+           return !is_loose(item) &&
+                  item.file.folders.front() == items.front().file.folders.front();
+         })) {
+    enter(std::string(items.front().file.folders.front()));
+  }
+  std::set<std::string> packed;
+  for (const Item& item : items) {
+    CourseSystemName name;
+    if (item.file.folders.size() == 1 && is_archive_name(item.file.folders.front()) &&
+        !read_name(item.file.folders.front(), references, name) &&
+        read_name(file_name(item.file), references, name)) {
+      packed.insert(item.file.folders.front());
+    }
+  }
+  for (const std::string& top : packed) {
+    enter(top);
+  }
+}
+
+// The number of references that the pictures among the items show.
+template <typename Take>
+std::size_t shown(const std::vector<Item>& items, const std::vector<FoundFile>& references,
+                  const Take& take) {
+  std::vector<FoundFile> pictures;
+  for (const Item& item : items) {
+    if (item.reason.empty() && take(item)) {
+      pictures.push_back(item.file);
+    }
+  }
+  const std::vector<int> found = match_pictures(references, pictures).pictures;
+  return static_cast<std::size_t>(
+      std::count_if(found.begin(), found.end(), [](int picture) { return picture >= 0; }));
+}
+
+// A folder, an archive or a file directly in the class.
+struct Top {
+  std::string name;
+  bool archive = false;
+  bool folder = false;
+  bool of_system = false;  // `system` is set
+  CourseSystemName system = {};
+  std::vector<const Item*> items = {};
+};
+
+std::vector<Top> tops_of(const Listing& listing, const std::vector<FoundFile>& references) {
+  std::map<std::string, Top> tops;
+  for (const std::string& folder : listing.folders) {
+    tops[folder].folder = true;
+  }
+  for (const Item& item : listing.items) {
+    Top& top = tops[top_of(item)];
+    top.folder = top.folder || !is_loose(item);
+    top.items.push_back(&item);
+  }
+  std::vector<Top> list;
+  for (auto& [name, top] : tops) {
+    top.name = name;
+    top.archive = is_archive_name(name) || (!top.folder && is_other_archive(name));
+    top.of_system = read_name(name, references, top.system);
+    list.push_back(std::move(top));
+  }
+  return list;
+}
+
+// Only one student: there are only folders of layouts, or the pictures next to folders show at
+// least as many references as those in them.
+bool is_one_student(const std::vector<Top>& tops, const std::vector<Item>& items,
+                    const std::vector<FoundFile>& references) {
+  std::size_t in_folders = 0;
+  bool layout = true;
+  for (const Top& top : tops) {
+    if (top.of_system) {
+      return false;
+    }
+    if (top.folder || top.archive) {
+      layout = layout && is_layout_folder(without_archive_ending(top.name));
+    }
+  }
+  if (layout) {
+    return true;
+  }
+  const std::size_t loose = shown(items, references, is_loose);
+  for (const Top& top : tops) {
+    if (loose > 0 && !is_layout_folder(without_archive_ending(top.name))) {
+      in_folders += shown(items, references, [&](const Item& item) {
+        return !is_loose(item) && item.file.folders.front() == top.name;
+      });
+    }
+  }
+  return loose > 0 && loose >= in_folders;
+}
+
+// Blackboard's names say where the assignment ends and the user starts only together: all begin
+// with the assignment.
+void name_blackboard_users(std::vector<Top>& tops) {
+  std::set<std::string> heads;
+  for (const Top& top : tops) {
+    if (top.of_system && !top.system.attempt.empty()) {
+      heads.insert(top.system.student);
+    }
+  }
+  if (heads.size() < 2) {
+    return;
+  }
+  const auto& [first, last] = std::mismatch(heads.begin()->begin(), heads.begin()->end(),
+                                            heads.rbegin()->begin(), heads.rbegin()->end());
+  const std::size_t start =
+      heads.begin()->rfind('_', static_cast<std::size_t>(first - heads.begin()->begin())) + 1;
+  for (Top& top : tops) {
+    if (top.of_system && !top.system.attempt.empty() && start < top.system.student.size()) {
+      top.system.name = top.system.student.substr(start);
+    }
+  }
+}
+
+// "ball" and 2 for "ball-2.png": Canvas numbers files that are handed in again under one name.
+std::pair<std::string, std::uint64_t> without_number(const std::string& name) {
+  const std::string ending =
+      is_archive_name(name) ? name.substr(without_archive_ending(name).size()) : ending_of(name);
+  const std::string stem = name.substr(0, name.size() - ending.size());
+  const std::size_t dash = stem.rfind('-');
+  if (dash == std::string::npos || dash == 0 || dash + 1 == stem.size() || stem.size() - dash > 4 ||
+      !std::all_of(stem.begin() + static_cast<std::ptrdiff_t>(dash) + 1, stem.end(), is_digit)) {
+    return {name, 0};
+  }
+  return {stem.substr(0, dash) + ending, std::stoull(stem.substr(dash + 1))};
+}
+
+class ClassBuilder {
+ public:
+  ClassBuilder(const std::string& folder, const std::vector<FoundFile>& references)
+      : references_(references), folder_(folder) {}
+
+  ClassFiles build() {
+    Listing listing;
+    Lister(listing).add_class(folder_);
+    drop_overwritten(listing.items);
+    for (const Item& item : listing.items) {
+      paths_.push_back(joined(item.file.folders, file_name(item.file)));
+    }
+    unwrap(listing.items, references_, !is_folder(folder_));
+    first_ = listing.items.data();
+    std::vector<Top> tops = tops_of(listing, references_);
+    if (is_one_student(tops, listing.items, references_)) {
+      StudentFiles& student = result_.students.emplace_back();
+      student.name = name_of_class();
+      for (const Item& item : listing.items) {
+        add(student, item, item.file);
+      }
+      return std::move(result_);
+    }
+    name_blackboard_users(tops);
+    add_students(tops, read_gradescope_names(listing.gradescope));
+    return std::move(result_);
+  }
+
+ private:
+  // Submissions of a student, in the order in which their pictures are preferred.
+  struct Student {
+    std::string name;
+    std::string id;
+    std::vector<Top*> tops = {};
+  };
+
+  std::string name_of_class() const {
+    std::string_view path = folder_;
+    while (path.size() > 1 && (path.ends_with('/') || path.ends_with("/."))) {
+      path.remove_suffix(1);
+    }
+    const std::string name(path.substr(path.rfind('/') + 1));
+    return is_folder(folder_) ? name : std::string(without_archive_ending(name));
+  }
+
+  const std::string& path_of(const Item& item) const {
+    return paths_[static_cast<std::size_t>(&item - first_)];
+  }
+
+  void add(StudentFiles& student, const Item& item, FoundFile file) const {
+    if (item.reason.empty()) {
+      student.pictures.push_back(std::move(file));
+    } else {
+      student.ignored.push_back({path_of(item), student.name, item.reason});
+    }
+  }
+
+  void ignore(StudentFiles& student, const Top& top, const std::string& reason) const {
+    // The path of the folder or archive, not of all files in it.
+    std::string path;
+    if (!top.items.empty()) {
+      const FoundFile& file = top.items.front()->file;
+      path = path_of(*top.items.front());
+      path.resize(path.size() - joined(file.folders, file_name(file)).size());
+    }
+    student.ignored.push_back({path + top.name, student.name, reason});
+  }
+
+  void add_students(std::vector<Top>& tops, const std::map<std::string, std::string>& gradescope) {
+    std::map<std::string, Student> students;
+    for (Top& top : tops) {
+      std::string key = "/" + top.name;
+      Student student{top.name, {}};
+      if (top.of_system) {
+        key = top.system.student;
+        student = {top.system.name, top.system.id};
+      } else if (const auto name = gradescope.find(top.name); name != gradescope.end()) {
+        student = {name->second, top.name};
+      } else if (top.archive) {
+        // gina.zip and the folder gina belong to one student.
+        student.name = is_archive_name(top.name) ? std::string(without_archive_ending(top.name))
+                                                 : top.name.substr(0, top.name.find('.'));
+        key = "/" + student.name;
+      } else if (!top.folder) {
+        for (const Item* item : top.items) {
+          result_.ignored.push_back(
+              {path_of(*item),
+               {},
+               item->reason.empty() ? "its name does not say whose picture it is" : item->reason});
+        }
+        continue;
+      }
+      students.try_emplace(key, std::move(student)).first->second.tops.push_back(&top);
+    }
+    std::map<std::string, int> namesakes;
+    for (const auto& [key, student] : students) {
+      ++namesakes[student.name];
+    }
+    std::set<std::string> names;
+    for (auto& [key, student] : students) {
+      StudentFiles files;
+      files.name = namesakes[student.name] > 1 && !student.id.empty()
+                       ? fmt::format("{} ({})", student.name, student.id)
+                       : student.name;
+      if (!names.insert(files.name).second) {
+        files.name += fmt::format(" ({})", key);
+        names.insert(files.name);
+      }
+      add_submissions(student, files);
+      result_.students.push_back(std::move(files));
+    }
+    std::sort(result_.students.begin(), result_.students.end(),
+              [](const StudentFiles& a, const StudentFiles& b) { return a.name < b.name; });
+  }
+
+  // Of files that replace each other, the last one.
+  void add_submissions(Student& student, StudentFiles& files) const {
+    std::string attempt;
+    std::set<std::string> originals;
+    for (const Top* top : student.tops) {
+      attempt = std::max(attempt, top->system.attempt);
+      originals.insert(top->system.original);
+    }
+    // Without the number, if there is such a file, too.
+    const auto original_of = [&](const Top& top) {
+      std::pair<std::string, std::uint64_t> numbered = without_number(top.system.original);
+      return originals.contains(numbered.first) && !shows(top.system.original)
+                 ? numbered
+                 : std::pair(top.system.original, std::uint64_t{0});
+    };
+    const auto order = [&](const Top& top) {
+      return std::tuple(top.system.number, original_of(top).second, !top.archive);
+    };
+    std::stable_sort(student.tops.begin(), student.tops.end(),
+                     [&](const Top* a, const Top* b) { return order(*a) > order(*b); });
+    std::map<std::string, const Top*> latest;
+    for (const Top* top : student.tops) {
+      if (top->system.attempt != attempt) {
+        ignore(files, *top, "the student has handed in again");
+        continue;
+      }
+      const std::string original = original_of(*top).first;
+      if (!original.empty()) {
+        const auto [at, added] = latest.try_emplace(original, top);
+        if (!added) {
+          ignore(files, *top, fmt::format("{} replaces it", at->second->name));
+          continue;
+        }
+      }
+      for (const Item* item : top->items) {
+        FoundFile file = item->file;
+        if (is_loose(*item) && top->of_system) {
+          file.stem = stem_of(top->system.original);
+        } else if (!is_loose(*item)) {
+          file.folders.erase(file.folders.begin());
+        }
+        add(files, *item, std::move(file));
+      }
+    }
+  }
+
+  bool shows(const std::string& name) const {
+    return is_picture_name(name) && has_reference(references_, file_of(name, {}));
+  }
+
+  // The name of the student's picture, without Canvas's number unless a reference has it.
+  std::string stem_of(const std::string& original) const {
+    return file_of(shows(original) ? original : without_number(original).first, {}).stem;
+  }
+
+  const std::vector<FoundFile>& references_;
+  const std::string& folder_;
+  const Item* first_ = nullptr;
+  std::vector<std::string> paths_;  // of the items, below the class
+  ClassFiles result_;
+};
+
+// Reads the files of `wanted` (indices), whose paths have `level` archives before this one.
+void read_entries(const std::vector<FoundFile>& files, const std::vector<std::size_t>& wanted,
+                  std::size_t level, const ArchiveEntry& entry, const ReadEntry& read,
+                  ArchiveBudget& budget, std::vector<Result<std::string>>& results) {
+  std::vector<std::size_t> here;
+  std::vector<std::size_t> inside;
+  for (const std::size_t i : wanted) {
+    if (files[i].entries[level] == entry.path) {
+      (files[i].entries.size() == level + 1 ? here : inside).push_back(i);
+    }
+  }
+  if (here.empty() && inside.empty()) {
+    return;
+  }
+  const Result<std::string> bytes =
+      read(inside.empty() ? Limits{}.file_bytes : inner_budget(budget).bytes);
+  for (const std::size_t i : here) {
+    results[i] = bytes;
+  }
+  if (!inside.empty() && bytes) {
+    visit_inner(*bytes, budget,
+                [&](const ArchiveEntry& inner, const ReadEntry& read_inner, ArchiveBudget& left) {
+                  read_entries(files, inside, level + 1, inner, read_inner, left, results);
+                });
+  }
+}
+
+}  // namespace
+
+ClassFiles find_class_files(const std::string& folder, const std::vector<FoundFile>& references) {
+  return ClassBuilder(folder, references).build();
+}
+
+std::vector<Result<std::string>> read_archived(const std::vector<FoundFile>& files,
+                                               const ArchiveBudget& budget) {
+  std::vector<Result<std::string>> results(files.size(), Error{});
+  std::map<std::string, std::vector<std::size_t>> archives;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    archives[files[i].path].push_back(i);
+  }
+  for (auto& [path, wanted] : archives) {
+    // After damage, the rest of the archive may only be readable without the damaged entry.
+    for (std::size_t before = wanted.size() + 1; !wanted.empty() && wanted.size() < before;) {
+      before = wanted.size();
+      ArchiveBudget left = budget;
+      const std::string why = visit_archive(
+          path, left, [&, &of_archive = wanted](const ArchiveEntry& entry, const ReadEntry& read) {
+            read_entries(files, of_archive, 0, entry, read, left, results);
+          });
+      std::erase_if(wanted,
+                    [&](std::size_t i) { return results[i] || !results[i].error().text.empty(); });
+      for (const std::size_t i : wanted) {
+        results[i] = Error{wanted.size() < before ? "" : why.empty() ? "it cannot be found" : why};
+      }
+    }
+  }
+  return results;
+}
+
+}  // namespace scenefile

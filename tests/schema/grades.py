@@ -1,0 +1,75 @@
+"""The output of grade --json conforms to schema/grade.schema.json.
+
+    grades.py SCENEFILE SCENE
+
+SCENE: what the reference shows. Exit code 77: skipped, because the Python package jsonschema is missing.
+"""
+
+import copy
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+try:
+    import jsonschema
+except ImportError:
+    sys.exit(77)
+
+SCHEMA = pathlib.Path(__file__).resolve().parent.parent.parent / "schema" / "grade.schema.json"
+
+
+def answer(program, scene, folder):
+    """Grades a class with every verdict, and with ignored files."""
+    def draw(name, *more):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        subprocess.run([program, "render", scene, "--size", "32x24", "--quiet", "-o", folder / name, *more],
+                       check=True)
+    draw("right/ball.png")
+    draw("class/ada/ball.png")
+    draw("class/ben/ball.png", "--mode", "normals")
+    draw("class/ben/other.png")
+    draw("class/nobody.png")
+    (folder / "class/cleo").mkdir()
+    (folder / "class/dan").mkdir()
+    (folder / "class/dan/ball.png").write_text("no picture")
+    (folder / "class/eve.rar").write_text("not read")
+    run = subprocess.run([program, "grade", folder / "class", "--references", folder / "right", "--json"],
+                         capture_output=True, check=False)
+    return json.loads(run.stdout)
+
+
+def broken(document):
+    """Changes that the schema must reject."""
+    def change(edit):
+        other = copy.deepcopy(document)
+        edit(other)
+        return other
+    yield change(lambda d: d.pop("ignored"))
+    yield change(lambda d: d["ignored"][0].pop("reason"))
+    yield change(lambda d: d["ignored"][0].update(student=""))
+    yield change(lambda d: d["students"][0].pop("unmatched"))
+    yield change(lambda d: d["students"][0].update(passed=True))
+    yield change(lambda d: d["students"][0]["pictures"][0].update(verdict="good"))
+    yield change(lambda d: d["students"][0]["pictures"][0].pop("psnr_db"))
+    yield change(lambda d: d["students"][0]["pictures"][0].update(verdict="missing"))
+
+
+def main(program, scene):
+    schema = json.loads(SCHEMA.read_text(encoding="utf-8"))
+    jsonschema.Draft7Validator.check_schema(schema)
+    validator = jsonschema.Draft7Validator(schema)
+    with tempfile.TemporaryDirectory() as folder:
+        document = answer(program, scene, pathlib.Path(folder))
+    complaints = [f"{'/'.join(map(str, e.path))}: {e.message[:200]}" for e in validator.iter_errors(document)]
+    complaints += [f"broken answer {i} is accepted" for i, d in enumerate(broken(document))
+                   if validator.is_valid(d)]
+    verdicts = {p["verdict"] for s in document["students"] for p in s["pictures"]}
+    if verdicts != {"passed", "differs", "missing", "unreadable"} or len(document["ignored"]) != 3:
+        complaints.append(f"only {verdicts} and {document['ignored']} were tried")
+    print("\n".join(complaints) or f"{len(document['students'])} students")
+    return 1 if complaints else 0
+
+
+sys.exit(main(sys.argv[1], sys.argv[2]))

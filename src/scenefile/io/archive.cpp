@@ -124,6 +124,12 @@ bool is_junk_path(std::string_view path) {
   }
 }
 
+// libarchive does not always have one.
+std::string_view message(const Library& library, ::archive* archive) {
+  const char* const text = library.error_string(archive);
+  return text == nullptr || *text == '\0' ? "unknown error" : text;
+}
+
 // Goes through an archive that is open.
 class Visitor {
  public:
@@ -137,7 +143,7 @@ class Visitor {
         return {};
       }
       if (status != ARCHIVE_OK && status != ARCHIVE_WARN) {
-        return fmt::format("it cannot be read as an archive: {}", message());
+        return fmt::format("it cannot be read as an archive: {}", message(library_, archive_));
       }
       if (budget_.entries == 0) {
         return "it contains too many files";
@@ -170,11 +176,6 @@ class Visitor {
 
  private:
   static constexpr const char* too_large = "it is too large when unpacked";
-
-  std::string_view message() const {
-    const char* const text = library_.error_string(archive_);
-    return text == nullptr || *text == '\0' ? "unknown error" : text;
-  }
 
   bool is_zip() const {
     return (library_.format(archive_) & ARCHIVE_FORMAT_BASE_MASK) == ARCHIVE_FORMAT_ZIP;
@@ -214,7 +215,7 @@ class Visitor {
       bytes.resize(size + piece);
       const auto got = library_.read_data(archive_, bytes.data() + size, piece);
       if (got < 0) {
-        return Error{fmt::format("it is damaged: {}", message())};
+        return Error{fmt::format("it is damaged: {}", message(library_, archive_))};
       }
       size += static_cast<std::size_t>(got);
       if (is_zip()) {
@@ -258,7 +259,7 @@ std::string visit_opened(ArchiveBudget& budget, const VisitEntry& visit, const O
   library.read_support_format_tar(archive.get());
   if (const int status = open(library, archive.get());
       status != ARCHIVE_OK && status != ARCHIVE_WARN) {
-    return fmt::format("it cannot be read as an archive: {}", library.error_string(archive.get()));
+    return fmt::format("it cannot be read as an archive: {}", message(library, archive.get()));
   }
   return Visitor(library, archive.get(), budget).visit_all(visit);
 }

@@ -164,6 +164,18 @@ bool contains_words(std::string_view stem, std::string_view part) {
                      [&](const auto& w) { return ends_with_words(stem.substr(0, w[1]), part); });
 }
 
+// Without "_gen" and the like at the end.
+std::string_view without_added_word(std::string_view stem) {
+  for (const std::string_view ending : endings_of_programs) {
+    const std::size_t start = stem.size() - std::min(stem.size(), ending.size());
+    if (start > 1 && lower_case(stem.substr(start)) == ending &&
+        plain(stem.substr(start - 1, 1)).empty()) {
+      return stem.substr(0, start - 1);
+    }
+  }
+  return stem;
+}
+
 // The references that a picture fits by a part of a name; `score` says how well. Several: unclear.
 std::vector<std::size_t> fitting(const std::vector<FoundFile>& references, const FoundFile& picture,
                                  int& score) {
@@ -171,25 +183,20 @@ std::vector<std::size_t> fitting(const std::vector<FoundFile>& references, const
   if (is_in_texture_folder(picture)) {
     return found;
   }
-  score = 3;
-  std::string_view stem = without_copy_mark(picture.stem);
-  for (const std::string_view ending : endings_of_programs) {
-    const std::size_t start = stem.size() - std::min(stem.size(), ending.size());
-    if (start > 1 && lower_case(stem.substr(start)) == ending &&
-        plain(stem.substr(start - 1, 1)).empty()) {
-      stem = stem.substr(0, start - 1);
-      break;
+  const std::string_view stem = without_added_word(without_copy_mark(picture.stem));
+  // As it is, or without what was added.
+  for (const std::string_view name : {std::string_view(picture.stem), stem}) {
+    score = name == picture.stem ? 3 : 2;
+    for (std::size_t r = 0; r < references.size(); ++r) {
+      if (ends_with_words(references[r].stem, name)) {
+        found.push_back(r);
+      }
+    }
+    if (!found.empty()) {
+      return found;
     }
   }
-  for (std::size_t r = 0; r < references.size(); ++r) {
-    if (ends_with_words(references[r].stem, stem)) {
-      found.push_back(r);
-    }
-  }
-  if (!found.empty()) {
-    return found;
-  }
-  score = 2;
+  score = 1;
   std::size_t longest = 0;
   for (std::size_t r = 0; r < references.size(); ++r) {
     if (contains_words(picture.stem, references[r].stem)) {

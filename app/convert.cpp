@@ -72,7 +72,7 @@ std::string write_scene_file(LoadedScene& scene, const Options& options, Context
 std::string write_pov_file(LoadedScene& scene, const Options& options, Context& context) {
   std::vector<std::string> textures;
   for (const AssetFile& file : locate_files(scene, options)) {
-    if (file.kind == AssetKind::texture) {
+    if (file.kind == AssetKind::texture && file.from.empty()) {
       textures.push_back(file.resolved.path);
     }
   }

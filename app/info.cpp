@@ -96,6 +96,31 @@ void append_line(std::string& text, std::string_view name, std::string_view valu
   text += fmt::format("  {:<11} {}\n", name, value);
 }
 
+std::string face_material_text(const FaceMaterial& m) {
+  const std::array<std::pair<std::string_view, glm::vec3>, 4> colors{
+      {{"Ke", m.emission}, {"Kd", m.diffuse}, {"Ks", m.specular}, {"Tf", m.transmission}}};
+  std::string text;
+  for (const auto& [name, color] : colors) {
+    if (color != glm::vec3(0)) {
+      text += fmt::format(", {} {}", name, vector_text(color));
+    }
+  }
+  return text + fmt::format(", Ns {:.6g}, Ni {:.6g}, illum {}", m.shininess, m.ior, m.illum);
+}
+
+// The materials of a mesh, such as "light: 2 triangles, Ke 17 12 4, ...".
+void append_face_materials(std::string& text, const std::string& name, const MeshMaterials& mesh) {
+  const std::vector<std::size_t> triangles = triangles_of_materials(mesh);
+  if (!triangles.empty()) {
+    text += fmt::format("  face materials of {}\n", escaped(name, 400));
+  }
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const FaceMaterial& m = mesh.materials[i];
+    text += fmt::format("    {}: {} triangle{}{}\n", escaped(m.name), triangles[i],
+                        triangles[i] == 1 ? "" : "s", face_material_text(m));
+  }
+}
+
 std::string summary_text(const LoadedScene& scene, const InfoReport& report) {
   const SceneSummary& s = report.summary;
   std::string text = escaped(shown_name(scene.path)) + "\n";
@@ -115,14 +140,19 @@ std::string summary_text(const LoadedScene& scene, const InfoReport& report) {
   if (report.realtime) {
     append_line(text, "realtime", realtime_text(*report.realtime));
   }
+  for (std::size_t i = 0; i < scene.assets.mesh_materials.size(); ++i) {
+    append_face_materials(text, scene.ready.scene.mesh_files[i].name,
+                          scene.assets.mesh_materials[i]);
+  }
   return text;
 }
 
 std::string file_text(const AssetFile& file) {
   const ResolvedAsset& resolved = file.resolved;
+  const std::string place = file.from.empty() ? "" : " of " + escaped(file.from, 400);
   const std::string head =
-      fmt::format("{} {} (line {}): ", file.kind == AssetKind::texture ? "texture" : "mesh",
-                  quoted(file.reference.name, 400), file.reference.location.line);
+      fmt::format("{} {} (line {}{}): ", word_of(file.kind), quoted(file.reference.name, 400),
+                  file.reference.location.line, place);
   if (resolved.error.empty()) {
     return fmt::format("{}{}: {}\n", head, rule_text(resolved.rule), escaped(resolved.path, 4096));
   }

@@ -57,9 +57,12 @@ void add_summary(Json& json, const SceneSummary& s) {
 
 void add_file(Json& json, const AssetFile& file) {
   json.begin_object();
-  json.add("kind", file.kind == AssetKind::texture ? "texture" : "mesh");
+  json.add("kind", word_of(file.kind));
   json.add("name", file.reference.name);
   json.add("line", file.reference.location.line);
+  if (!file.from.empty()) {
+    json.add("file", file.from);
+  }
   json.add("found", file.resolved.error.empty());
   json.add("rule", rule_text(file.resolved.rule));
   if (file.resolved.error.empty()) {
@@ -73,6 +76,35 @@ void add_file(Json& json, const AssetFile& file) {
   }
   json.end_array();
   json.end_object();
+}
+
+void add_face_material(Json& json, const FaceMaterial& m) {
+  json.add("name", m.name);
+  json.add("file", m.file);
+  json.add("line", m.location.line);
+  json.add("diffuse", m.diffuse);
+  json.add("specular", m.specular);
+  json.add("emission", m.emission);
+  json.add("transmission", m.transmission);
+  json.add("shininess", m.shininess);
+  json.add("ior", m.ior);
+  json.add("illum", m.illum);
+}
+
+void add_face_materials(Json& json, const LoadedScene& scene) {
+  json.begin_array("face_materials");
+  for (std::size_t i = 0; i < scene.assets.mesh_materials.size(); ++i) {
+    const MeshMaterials& mesh = scene.assets.mesh_materials[i];
+    const std::vector<std::size_t> triangles = triangles_of_materials(mesh);
+    for (std::size_t k = 0; k < mesh.materials.size(); ++k) {
+      json.begin_object();
+      json.add("mesh", scene.ready.scene.mesh_files[i].name);
+      json.add("triangles", triangles[k]);
+      add_face_material(json, mesh.materials[k]);
+      json.end_object();
+    }
+  }
+  json.end_array();
 }
 
 void add_bounds(Json& json, const std::optional<Bounds>& bounds) {
@@ -246,6 +278,7 @@ std::string info_json(const LoadedScene& scene, const InfoReport* report) {
       add_file(json, file);
     }
     json.end_array();
+    add_face_materials(json, scene);
     if (!report->tree.empty()) {
       json.add("tree", report->tree);
     }

@@ -123,6 +123,11 @@ ExitCode run_projects_ray(std::span<const char* const> words, Context& context) 
   if (read_status != ExitCode::fine) {
     return read_status;
   }
+  if (read.kind != ConfigKind::ray) {
+    say_error(fmt::format("{} is a configuration of the path tracer, not of the ray tracer",
+                          escaped(config.path, 4096)));
+    return ExitCode::findings;
+  }
   const ExitCode status = run_render(options_of(read), context);
   if (status == ExitCode::environment && !read.scene.starts_with('/')) {
     say("Relative paths of a configuration start at the working directory.\n");

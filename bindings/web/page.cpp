@@ -38,9 +38,9 @@ void add_files(Json& json, const LoadedScene& scene) {
   for (const AssetFile& file : locate_files(scene, access_of_page(), Limits{})) {
     json.begin_object();
     json.add("name", file.reference.name);
-    json.add("kind", file.kind == AssetKind::texture ? "texture" : "mesh");
+    json.add("kind", word_of(file.kind));
     json.add("found", !file.resolved.path.empty());
-    add_location(json, file.reference.location);
+    add_location(json, file.from.empty() ? file.reference.location : Location());
     json.end_object();
   }
   json.end_array();

@@ -104,6 +104,7 @@ class AllCodes : public ::testing::Test {
         {"json.limit", limited("format_json/json.comment.ok.json", "nesting=2")},
         {"light.count-limit", limited("commands/light.count-limit.json", "lights=1")},
         {"mesh.limit", limited("codes/mesh.degenerate.ok.xml", "mesh-triangles=1")},
+        {"mtl.limit", limited("codes/mtl.value.ok.xml", "mesh-bytes=600")},
         {"texture.limit", limited("codes/material.texture-without-blend.ok.xml", "texture-side=1")},
         {"tree.nesting-limit",
          limited("codes/tree.used-before-declared.ok.xml", "instance-nesting=1")},

@@ -198,6 +198,16 @@ TEST_F(Driver, ErrorsHaveAPlace) {
                              HasSubstr("is missing [Canvas] height")));
 }
 
+TEST_F(Driver, AConfigurationOfThePathTracerIsRefused) {
+  const ProgramRun run = drive(folder.write(
+      "c.ini",
+      "[IO]\nscene=a.xml\noutput=a.png\n[Settings]\nimageWidth=4\nimageHeight=4\n"
+      "samplesPerPixel=1\npathContinuationProb=0.5\ndirectLightingOnly=false\n"
+      "numDirectLightingSamples=1\n"));
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.err, HasSubstr("c.ini is a configuration of the path tracer"));
+}
+
 TEST_F(Driver, UnknownKeysAreWarnings) {
   const std::string scene = folder.write("scene.xml", good_scene);
   const std::string text =

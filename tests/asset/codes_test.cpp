@@ -9,30 +9,37 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace scenefile {
 namespace {
 
 const std::string three_points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
+enum class Kind { texture, mesh, library };
+
 struct Case {
   const Code* code;
-  bool mesh;
+  Kind kind;
   std::string gives;
   std::string near_miss;
 };
 
-// A texture with empty `bytes` means a missing file.
-Diagnostics load(bool mesh, const std::string& bytes, bool missing) {
+Diagnostics load(Kind kind, const std::string& bytes, bool missing) {
   LoadOptions options;
   options.limits.mesh_triangles = 3;
+  options.limits.mesh_bytes = 2000;
   options.limits.texture_side = 17;
+  options.materials = kind == Kind::library;
   const std::vector<FileReference> file = {{"name", {1, 1}}};
   const std::vector<FileReference> none;
   Diagnostics diagnostics;
   load_assets(
-      mesh ? none : file, mesh ? file : none,
-      [&](const std::string&) {
+      kind == Kind::texture ? file : none, kind == Kind::texture ? none : file,
+      [&](const std::string& name) -> Result<std::string> {
+        if (kind == Kind::library && name == "name") {
+          return three_points + "mtllib a.mtl\nusemtl red\nf 1 2 3\n";
+        }
         return missing ? Result<std::string>(Error{"no such file"}) : bytes;
       },
       options, diagnostics);
@@ -48,33 +55,56 @@ std::vector<Case> cases() {
   const std::string png = test::fixture("rgb.png");
   std::string wide(9, '\0');
   const std::string row(18 * 3, 'x');
+  std::string many_materials;
+  for (int i = 0; i < 100; ++i) {
+    many_materials += "newmtl red" + std::to_string(i) + "\n";
+  }
+  constexpr Kind lib = Kind::library;
   return {
-      {&texture_undecodable, false, png.substr(0, png.size() - 20), png},
-      {&texture_limit, false, test::make_png(18, 1, 8, 2, false, {row}), png},
-      {&mesh_unusable, true, three_points + "f 1 2 4\n", three_points + "f 1 2\n"},
-      {&mesh_not_obj, true, png, "# not much\n"},
-      {&mesh_number, true, "v 0 0\n", "v 0 0 0\n"},
-      {&mesh_index, true, three_points + "f 1 2 4\n", three_points + "f 1 2 -3\n"},
-      {&mesh_limit, true, three_points + "f 1 2 3 1 2 3\n", three_points + "f 1 2 3 1 2\n"},
-      {&mesh_short_face, true, three_points + "f 1 2\n", three_points + "l 1 2\n"},
-      {&mesh_degenerate, true, three_points + "f 1 2 2\n", three_points + "f 1 2 3\n"},
-      {&mesh_zero_normal, true, "vn 0 0 0\n", "vn 0 0 1e-30\n"},
-      {&mesh_unknown_keyword, true, three_points + "face 1 2 3\n", three_points + "g face 1 2 3\n"},
-      {&mesh_empty, true, three_points, three_points + "f 1 2 3\n"},
+      {&texture_undecodable, Kind::texture, png.substr(0, png.size() - 20), png},
+      {&texture_limit, Kind::texture, test::make_png(18, 1, 8, 2, false, {row}), png},
+      {&mesh_unusable, Kind::mesh, three_points + "f 1 2 4\n", three_points + "f 1 2\n"},
+      {&mesh_not_obj, Kind::mesh, png, "# not much\n"},
+      {&mesh_number, Kind::mesh, "v 0 0\n", "v 0 0 0\n"},
+      {&mesh_index, Kind::mesh, three_points + "f 1 2 4\n", three_points + "f 1 2 -3\n"},
+      {&mesh_limit, Kind::mesh, three_points + "f 1 2 3 1 2 3\n", three_points + "f 1 2 3 1 2\n"},
+      {&mesh_short_face, Kind::mesh, three_points + "f 1 2\n", three_points + "l 1 2\n"},
+      {&mesh_degenerate, Kind::mesh, three_points + "f 1 2 2\n", three_points + "f 1 2 3\n"},
+      {&mesh_zero_normal, Kind::mesh, "vn 0 0 0\n", "vn 0 0 1e-30\n"},
+      {&mesh_unknown_keyword, Kind::mesh, three_points + "face 1 2 3\n",
+       three_points + "g face 1 2 3\n"},
+      {&mesh_empty, Kind::mesh, three_points, three_points + "f 1 2 3\n"},
+      {&mtl_no_material, lib, "Kd 1 0 0\n", "newmtl red\n"},
+      {&mtl_unknown_material, lib, "newmtl Red\n", "newmtl red\n"},
+      {&mtl_duplicate, lib, "newmtl red\nnewmtl red\n", "newmtl red\nnewmtl Red\n"},
+      {&mtl_before_newmtl, lib, "Kd 1 0 0\nnewmtl red\n", "newmtl red\nKd 1 0 0\n"},
+      {&mtl_unknown_keyword, lib, "newmtl red\nkd 1 0 0\n", "newmtl red\nmap_bump 1 0 0\n"},
+      {&mtl_value, lib, "newmtl red\nKd 1 0,5 0\n", "newmtl red\nKd 1 5e-1 0\n"},
+      {&mtl_range, lib, "newmtl red\nKe 1 -1 0\n", "newmtl red\nKe 1 -0 1e9\n"},
+      {&mtl_limit, lib, many_materials, "newmtl red\n"},
+      {&mtl_energy, lib, "newmtl red\nKd .5 .5 .5\nKs .51 0 0\n",
+       "newmtl red\nKd .5 .5 .5\nKs .5 0 0\n"},
+      {&mtl_illum, lib, "newmtl red\nillum 3\n", "newmtl red\nillum 7\n"},
+      {&mtl_mirror_ior, lib, "newmtl red\nillum 5\n", "newmtl red\nillum 5\nNi 1.5\n"},
+      {&mtl_opacity, lib, "newmtl red\nd .5\n", "newmtl red\nd 1\nTr 0\n"},
+      {&mtl_map_option, lib, "newmtl red\nmap_Kd -s 2 2 2 a.png\n",
+       "newmtl red\nmap_Kd -s 1 1 1 -clamp off a.png\n"},
+      {&mtl_leading_point, lib, "newmtl red\nKd .5 0 0\n", "newmtl red\nKd 0.5 0 0\n"},
   };
 }
 
 TEST(AssetCodes, EachIsTriggeredByAnInputAndNotByASimilarOne) {
-  std::set<const Code*> seen = {&texture_missing, &mesh_missing};
+  std::set<const Code*> seen = {&texture_missing, &mesh_missing, &mtl_missing};
   for (const Case& c : cases()) {
-    EXPECT_TRUE(gives(load(c.mesh, c.gives, false), *c.code)) << c.code->name;
-    EXPECT_FALSE(gives(load(c.mesh, c.near_miss, false), *c.code)) << c.code->name;
+    EXPECT_TRUE(gives(load(c.kind, c.gives, false), *c.code)) << c.code->name;
+    EXPECT_FALSE(gives(load(c.kind, c.near_miss, false), *c.code)) << c.code->name;
     seen.insert(c.code);
   }
-  for (const bool mesh : {false, true}) {
-    const Code& code = mesh ? mesh_missing : texture_missing;
-    EXPECT_TRUE(gives(load(mesh, "", true), code));
-    EXPECT_FALSE(gives(load(mesh, "", false), code)) << "an empty file is there";
+  for (const auto& [kind, code] : {std::pair(Kind::texture, &texture_missing),
+                                   {Kind::mesh, &mesh_missing},
+                                   {Kind::library, &mtl_missing}}) {
+    EXPECT_TRUE(gives(load(kind, "", true), *code));
+    EXPECT_FALSE(gives(load(kind, "", false), *code)) << "an empty file is there";
   }
   for (const Code* code : asset_codes()) {
     EXPECT_EQ(seen.count(code), 1u) << code->name;
@@ -86,7 +116,8 @@ TEST(AssetCodes, AreFitForThePageOfCodes) {
   std::set<std::string_view> names;
   for (const Code* code : asset_codes()) {
     EXPECT_TRUE(names.insert(code->name).second) << code->name;
-    EXPECT_TRUE(code->name.substr(0, 8) == "texture." || code->name.substr(0, 5) == "mesh.");
+    EXPECT_TRUE(code->name.starts_with("texture.") || code->name.starts_with("mesh.") ||
+                code->name.starts_with("mtl."));
     EXPECT_LT(code->summary.size(), 80u) << code->name;
     EXPECT_FALSE(code->help.empty()) << code->name;
     EXPECT_EQ(code->help.back(), '.') << code->name;

@@ -94,6 +94,7 @@ TEST(ReadObj, ErrorsNameTheirPlace) {
       {triangle + "f 1///1 2 3\n", "4:3 mesh.index \"1///1\" is not a corner"},
       {triangle + "f 1/2 2 3\n", "4:3 mesh.index in the corner \"1/2\": there is no uv 2: "},
       {triangle + "f 1//1 2 3\n", "4:3 mesh.index in the corner \"1//1\": there is no normal 1"},
+      {triangle + "f 1//x 2 3\n", "4:3 mesh.index in the corner \"1//x\": \"x\" is not the number"},
       {triangle + "f 1 \\\n 2 \\\n x\n", "6:2 mesh.index \"x\" is not"},
       {"v 0 0\n", "1:1 mesh.number v needs 3 numbers and has 2"},
       {"v 0 nan 0\n", "1:5 mesh.number \"nan\" in v is not a finite number"},
@@ -130,6 +131,71 @@ TEST(ReadObj, ZeroNormalsShadeFlat) {
   EXPECT_THAT(findings(r.diagnostics), HasSubstr("6:1 mesh.zero-normal 1 normal of length zero"));
   EXPECT_EQ(r.mesh.triangle_normals[0], (Corners{0, 0, 0}));
   EXPECT_EQ(r.mesh.triangle_normals[1][0], mesh_no_index);
+}
+
+TEST(ReadObj, MissingNormalsShadeFlat) {
+  const ReadObj r = read(square + "vn 0 0 1\nf 1//1 2//1 3//1\nf 1//1 3//7 4//-2\nf 1//0 2 3\n");
+  EXPECT_EQ(
+      findings(r.diagnostics),
+      "7:8 mesh.index in the corner \"3//7\": there is no normal 7: the file has 1; 3 corners "
+      "are without their normal: the triangles are shaded flat\n");
+  EXPECT_EQ(r.diagnostics.count(Severity::warning), 1u);
+  EXPECT_EQ(r.mesh.triangles.size(), 3u);
+  constexpr Corners none = {mesh_no_index, mesh_no_index, mesh_no_index};
+  EXPECT_EQ(r.mesh.triangle_normals, (std::vector<Corners>{{0, 0, 0}, none, none}));
+}
+
+struct WithMaterials {
+  Mesh mesh;
+  ObjMaterials materials;
+  std::uint64_t bytes = 0;  // left of the limit
+  Diagnostics diagnostics;
+};
+
+WithMaterials read_materials(std::string_view text, std::uint64_t mesh_bytes = 1 << 20) {
+  WithMaterials r;
+  Limits limits;
+  std::uint64_t triangles = limits.mesh_triangles;
+  r.bytes = mesh_bytes;
+  r.mesh = read_obj(text, "test.obj", limits, triangles, r.bytes, r.diagnostics, &r.materials);
+  return r;
+}
+
+TEST(ReadObj, NamesTheMaterialOfEachTriangle) {
+  const WithMaterials r =
+      read_materials(square + "f 1 2 3\nusemtl white\nf 1 2 3 4\nusemtl  red  wall#2 # not this\n" +
+                     "f 1 1 2\nf 2 3 4\nusemtl white\nf 4 3 2\nusemtl\nf 4 3 1\n");
+  ASSERT_EQ(r.materials.names.size(), 2u);
+  EXPECT_EQ(r.materials.names[0].name, "white");
+  EXPECT_EQ(r.materials.names[0].location, (Location{6, 8}));
+  EXPECT_EQ(r.materials.names[1].name, "red  wall#2");
+  EXPECT_EQ(r.materials.of_triangle,
+            (std::vector<std::uint32_t>{mesh_no_index, 0, 0, 1, 0, mesh_no_index}));
+  EXPECT_EQ(r.mesh.triangles.size(), 6u);
+}
+
+TEST(ReadObj, ListsTheLibrariesOfEachLine) {
+  const WithMaterials r =
+      read_materials("mtllib a.mtl\r\nmtllib b.mtl c.mtl\nmtllib\n" + triangle + "f 1 2 3\n");
+  ASSERT_EQ(r.materials.libraries.size(), 2u);
+  EXPECT_EQ(r.materials.libraries[0].size(), 1u);
+  EXPECT_EQ(r.materials.libraries[0][0].name, "a.mtl");
+  ASSERT_EQ(r.materials.libraries[1].size(), 3u);
+  EXPECT_EQ(r.materials.libraries[1][1].name, "c.mtl");
+  EXPECT_EQ(r.materials.libraries[1][2].name, "b.mtl c.mtl");
+  EXPECT_TRUE(r.materials.of_triangle.empty());
+}
+
+TEST(ReadObj, MaterialsCountTowardTheLimit) {
+  std::string text = triangle + "f 1 2 3\n";
+  EXPECT_FALSE(read_materials(text, 100).diagnostics.has_errors());
+  for (int i = 0; i < 100; ++i) {
+    text += "usemtl m" + std::to_string(i) + "      with    blanks\nf 1 2 3\n";
+  }
+  const WithMaterials fits = read_materials(text, 100'000);
+  EXPECT_EQ(findings(fits.diagnostics), "");
+  EXPECT_LT(fits.bytes, 100'000u - 100 * 4);
+  EXPECT_THAT(findings(read_materials(text, 5000).diagnostics), HasSubstr("mesh.limit"));
 }
 
 TEST(ReadObj, UnknownKeywordsAreReportedOnce) {

@@ -81,6 +81,90 @@ TEST(Config, ReadsTheSpellingsOfQSettings) {
   EXPECT_TRUE(read.config.only_render_normals);
 }
 
+// As in the course's template of the assignment Path.
+const std::string good_path =
+    "[IO]\n"
+    "    scene = example-scenes/CornellBox.xml\n"
+    "    output = student_outputs/final/box.png\n"
+    "\n"
+    "[Settings]\n"
+    "    imageWidth = 512\n"
+    "    imageHeight = 384\n"
+    "    samplesPerPixel = 100\n"
+    "    pathContinuationProb = 0.9\n"
+    "    directLightingOnly = true\n"
+    "    numDirectLightingSamples = 4\n";
+
+std::string replaced_path(const std::string& from, const std::string& to) {
+  std::string text = good_path;
+  text.replace(text.find(from), from.size(), to);
+  return text;
+}
+
+TEST(Config, IsRecognizedAsThatOfThePathTracer) {
+  const ConfigReading read(good_path);
+  EXPECT_TRUE(read.diagnostics.list().empty());
+  CourseConfig expected;
+  expected.kind = ConfigKind::path;
+  expected.scene = "example-scenes/CornellBox.xml";
+  expected.output = "student_outputs/final/box.png";
+  expected.scene_place = {2, 13};
+  expected.output_place = {3, 14};
+  expected.width = 512;
+  expected.height = 384;
+  expected.samples_per_pixel = 100;
+  expected.path_continuation_prob = 0.9f;
+  expected.direct_lighting_only = true;
+  expected.num_direct_lighting_samples = 4;
+  EXPECT_EQ(read.config, expected);
+}
+
+TEST(Config, MissingKeysOfThePathTracerAreWarnings) {
+  const ConfigReading read(
+      "[IO]\nscene = a.xml\noutput = a.png\n[Settings]\nimageWidth = 4\nimageHeight = 3\n");
+  EXPECT_FALSE(read.diagnostics.has_errors());
+  EXPECT_EQ(read.diagnostics.count(Severity::warning), 4u);
+  ASSERT_TRUE(read.gives(config_missing_key));
+  EXPECT_EQ(read.diagnostics.list()[0].message,
+            "the configuration is missing [Settings] samplesPerPixel; it counts as 1");
+  EXPECT_EQ(read.diagnostics.list()[1].message,
+            "the configuration is missing [Settings] pathContinuationProb; it counts as 0");
+  EXPECT_EQ(read.config.kind, ConfigKind::path);
+  EXPECT_EQ(read.config.samples_per_pixel, 1);
+  EXPECT_EQ(read.config.num_direct_lighting_samples, 1);
+  EXPECT_EQ(read.config.path_continuation_prob, 0);
+  EXPECT_FALSE(read.config.direct_lighting_only);
+}
+
+TEST(Config, ThePathTracerNeedsASize) {
+  const ConfigReading read(replaced_path("imageWidth = 512\n", "\n"));
+  EXPECT_EQ(read.diagnostics.count(Severity::error), 1u);
+  EXPECT_EQ(read.diagnostics.list()[0].message,
+            "the configuration is missing [Settings] imageWidth");
+}
+
+TEST(Config, KeysOfTheOtherProgramHaveNoEffect) {
+  const ConfigReading path(good_path + "[Canvas]\nwidth = 3\n[Feature]\nshadows = true\n");
+  EXPECT_EQ(path.diagnostics.count(Severity::warning), 2u);
+  EXPECT_EQ(path.diagnostics.list().size(), 2u);
+  EXPECT_TRUE(path.gives(config_unknown_key));
+  EXPECT_EQ(path.config.width, 512);
+  EXPECT_FALSE(path.config.shadows);
+  const ConfigReading ray(good + "[Settings]\nsamplesPerPixel = 0\n");
+  EXPECT_EQ(ray.config.kind, ConfigKind::ray);
+  ASSERT_EQ(ray.diagnostics.list().size(), 1u);
+  EXPECT_EQ(
+      ray.diagnostics.list()[0].message,
+      "[Settings] samplesPerPixel has no effect: it belongs to the path tracer, and this is a "
+      "configuration of the ray tracer");
+}
+
+TEST(Config, CountsAreAtLeastOne) {
+  const ConfigReading read(replaced_path("Samples = 4", "Samples = 0"));
+  EXPECT_FALSE(read.diagnostics.has_errors());
+  EXPECT_EQ(read.config.num_direct_lighting_samples, 1);
+}
+
 TEST(Config, TheLastOfTwoCounts) {
   const ConfigReading read(replaced("width = 1024", "width = 4\nwidth = 5"));
   EXPECT_EQ(read.config.width, 5);
@@ -148,6 +232,21 @@ INSTANTIATE_TEST_SUITE_P(
                    replaced("width = 1024", "width = 1"),
                    {6, 10}},
         ConfigCase{&config_value, replaced("width = 1024", "width = 10.5"), good, {6, 10}},
+        ConfigCase{
+            &config_value, replaced_path("= 0.9", "= 1.5"), replaced_path("= 0.9", "= 1"), {9, 28}},
+        ConfigCase{&config_value,
+                   replaced_path("= 0.9", "= nan"),
+                   replaced_path("= 0.9", "= .5"),
+                   {9, 28}},
+        ConfigCase{&config_value,
+                   replaced_path("= 100", "= -1"),
+                   replaced_path("= 100", "= 65536"),
+                   {8, 23}},
+        ConfigCase{&config_value, replaced_path("= 100", "= 65537"), good_path, {8, 23}},
+        ConfigCase{
+            &config_zero, replaced_path("= 100", "= 0"), replaced_path("= 100", "= 1"), {8, 23}},
+        ConfigCase{&config_key_case, replaced_path("imageWidth", "imagewidth"), good_path, {6, 5}},
+        ConfigCase{&config_unknown_key, good_path + "threads = 4\n", good_path, {12, 1}},
         ConfigCase{&config_value,
                    replaced("shadows = true", "shadows = yes"),
                    replaced("shadows = true", "shadows = 1"),

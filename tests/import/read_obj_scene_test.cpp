@@ -75,7 +75,7 @@ TEST(ReadObjScene, RejectsOtherFiles) {
 TEST(ReadObjScene, EnforcesTheLimitOfMeshes) {
   Diagnostics diagnostics;
   ImportOptions options;
-  options.limits.mesh_bytes = 500;
+  options.limits.mesh_bytes = 700;
   read_obj_scene(two_triangles, options, diagnostics);
   ASSERT_TRUE(diagnostics.has_errors());
   EXPECT_EQ(diagnostics.list().back().code, &import_limit);

@@ -66,8 +66,9 @@ inline constexpr Code mesh_index{
     Severity::error,
     "a face names a vertex, uv or normal that does not exist",
     "The corners of a face are written v, v/vt, v//vn or v/vt/vn, where each is the number of a "
-    "line of that kind, counted from 1, or from the end when negative (-1 is the last so far). A "
-    "warning with --allow-missing.",
+    "line of that kind, counted from 1, or from the end when negative (-1 is the last so far). If "
+    "only normals are missing, a warning: their triangles are shaded flat. Also a warning with "
+    "--allow-missing.",
     CodeKind::plain,
     Severity::warning};
 
@@ -100,6 +101,83 @@ inline constexpr Code mesh_unknown_keyword{
 
 inline constexpr Code mesh_empty{"mesh.empty", Severity::warning, "a mesh has nothing to draw",
                                  "The file has no face with an area, so the object is invisible."};
+
+inline constexpr Code mtl_missing{
+    "mtl.missing", Severity::warning, "a material library of a mesh cannot be read",
+    "The faces have the material of their object instead. An OBJ file names its libraries after "
+    "mtllib, relative to its own folder; the first that can be read counts. Materials are read in "
+    "scenes without lights, and for the path tracer."};
+
+inline constexpr Code mtl_no_material{
+    "mtl.no-material", Severity::warning, "a material library without a material",
+    "Each material begins with a line newmtl NAME. Without one, the faces have the material of "
+    "their object. The file may be empty, or in another format."};
+
+inline constexpr Code mtl_unknown_material{
+    "mtl.unknown-material", Severity::warning, "a face has a material that no library defines",
+    "Its faces have the material of their object instead; the course's program may crash. The name "
+    "after usemtl must be that after newmtl, with the same case. Reported once for each name."};
+
+inline constexpr Code mtl_duplicate{
+    "mtl.duplicate", Severity::warning, "two materials with the same name",
+    "The first one counts, as in the course's program. Rename or remove the other."};
+
+inline constexpr Code mtl_before_newmtl{
+    "mtl.before-newmtl", Severity::warning, "a value before the first material",
+    "A value belongs to the last newmtl above it. Values before the first one have no effect."};
+
+inline constexpr Code mtl_unknown_keyword{
+    "mtl.unknown-keyword", Severity::warning, "a line of a material library is not understood",
+    "Read are newmtl, Kd, Ks, Ke, Ns, Ni, Tf (or Kt), d, Tr, illum, map_Kd, map_Ks and map_Ke; Ka "
+    "and other values of the format are skipped silently. Case matters. Reported once for each "
+    "keyword."};
+
+inline constexpr Code mtl_value{
+    "mtl.value", Severity::warning, "a value of a material cannot be read",
+    "It keeps its default, as if the line were missing. Colors are three numbers, r g b, with "
+    "decimal points."};
+
+inline constexpr Code mtl_range{
+    "mtl.range", Severity::warning, "a value of a material is out of range",
+    "Colors and Ns are not negative, Ni is above 0, d and Tr are between 0 and 1. The nearest "
+    "valid value is used; for Ni its default."};
+
+inline constexpr Code mtl_limit{
+    "mtl.limit", Severity::warning, "material libraries are larger than the limits allow",
+    "Materials count toward the limit for the memory of all meshes. Faces whose material is left "
+    "out have the material of their object. Reduce the library, or raise the limit.",
+    CodeKind::limit};
+
+inline constexpr Code mtl_energy{
+    "mtl.energy", Severity::note, "a material reflects more light than it receives",
+    "Where Kd + Ks is above 1 in a channel, each reflection adds energy, so the picture is too "
+    "bright. It is drawn as written, like the course's program does. Scale Kd and Ks down so that "
+    "their sum is at most 1."};
+
+inline constexpr Code mtl_illum{
+    "mtl.illum", Severity::note, "an illumination model that is drawn as another one",
+    "illum 5 is a mirror and illum 7 is refraction with Fresnel reflection, as in the assignment; "
+    "all others are drawn from Kd and Ks alone."};
+
+inline constexpr Code mtl_mirror_ior{
+    "mtl.mirror-ior", Severity::note, "a mirror without an index of refraction",
+    "In the MTL format, illum 5 is a mirror with Fresnel reflection, and with the default Ni of 1 "
+    "it reflects nothing. In the assignment, and here, it reflects all light, times Ks."};
+
+inline constexpr Code mtl_opacity{
+    "mtl.opacity", Severity::note, "transparency that is not drawn",
+    "d and Tr have no effect on the picture. Glass is illum 7, with Ni as its index of "
+    "refraction."};
+
+inline constexpr Code mtl_map_option{
+    "mtl.map-option", Severity::note, "an option of a texture that is not applied",
+    "Options between map_Kd and the file name move, scale or recolor the texture. The texture is "
+    "drawn by the uvs of the mesh alone."};
+
+inline constexpr Code mtl_leading_point{
+    "mtl.leading-point", Severity::note, "a number that starts with a point",
+    "tinyobjloader 1.1, which the course's path tracer contains, reads .5 as 0. Here it is 0.5. "
+    "Reported once for each library."};
 
 /// All of the above.
 std::span<const Code* const> asset_codes();

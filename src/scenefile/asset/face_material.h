@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -35,10 +36,13 @@ struct FaceMaterial {
 
 /// The face materials of one mesh.
 struct MeshMaterials {
-  std::vector<FaceMaterial> materials;
+  std::vector<FaceMaterial> materials;  ///< those that triangles have
   /// Into `materials`, one per triangle of the mesh; mesh_no_index: the triangle has the object's
   /// own material. Empty if no triangle has a face material.
   std::vector<std::uint32_t> of_triangle;
 };
+
+/// How many triangles have each material.
+std::vector<std::size_t> triangles_of_materials(const MeshMaterials& mesh);
 
 }  // namespace scenefile

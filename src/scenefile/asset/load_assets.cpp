@@ -2,6 +2,7 @@
 
 #include "scenefile/asset/codes.h"
 #include "scenefile/asset/image_file.h"
+#include "scenefile/asset/material_loader.h"
 #include "scenefile/asset/read_obj.h"
 #include "scenefile/base/text.h"
 
@@ -32,24 +33,39 @@ class TextureLoader {
         diagnostics_(diagnostics),
         budget_(options.limits.texture_bytes) {}
 
-  void load(std::span<const FileReference> files, std::vector<Texture>& textures) {
-    for (std::size_t i = 0; i < files.size(); ++i) {
-      Result<std::string> bytes = fetch_(files[i].name);
-      const std::uint64_t encoded = bytes ? bytes->size() : 0;
-      const std::uint64_t decoded = bytes ? decoded_bytes(*bytes) : 0;
-      if (!fits(encoded, decoded)) {
-        finish();
-      }
-      decoded_ += decoded;
-      encoded_ += encoded;
-      waiting_.push_back({files[i], std::move(bytes), textures[i], {}});
+  // `from`: the file that names it, or empty for the scene. All three outlive finish().
+  void add(const FileReference& file, const std::string& from, Texture& texture) {
+    Result<std::string> bytes = fetch_(file.name);
+    const std::uint64_t encoded = bytes ? bytes->size() : 0;
+    const std::uint64_t decoded = bytes ? decoded_bytes(*bytes) : 0;
+    if (!fits(encoded, decoded)) {
+      finish();
     }
-    finish();
+    decoded_ += decoded;
+    encoded_ += encoded;
+    waiting_.push_back({file, from, std::move(bytes), texture, {}});
+  }
+
+  void finish() {
+    const auto work = [&](std::size_t i) { decode(waiting_[i]); };
+    if (options_.for_each && waiting_.size() > 1) {
+      options_.for_each(waiting_.size(), work);
+    } else {
+      std::for_each(waiting_.begin(), waiting_.end(), [&](Waiting& one) { decode(one); });
+    }
+    for (const Waiting& one : waiting_) {
+      report(one);
+      budget_ -= one.texture.rgb.size();
+    }
+    waiting_.clear();
+    encoded_ = 0;
+    decoded_ = 0;
   }
 
  private:
   struct Waiting {
     const FileReference& file;
+    const std::string& from;
     Result<std::string> bytes;
     Texture& texture;
     std::optional<Error> error;  // of decoding
@@ -76,38 +92,22 @@ class TextureLoader {
     }
   }
 
-  void finish() {
-    const auto work = [&](std::size_t i) { decode(waiting_[i]); };
-    if (options_.for_each && waiting_.size() > 1) {
-      options_.for_each(waiting_.size(), work);
-    } else {
-      std::for_each(waiting_.begin(), waiting_.end(), [&](Waiting& one) { decode(one); });
-    }
-    for (const Waiting& one : waiting_) {
-      report(one);
-      budget_ -= one.texture.rgb.size();
-    }
-    waiting_.clear();
-    encoded_ = 0;
-    decoded_ = 0;
-  }
-
   void report(const Waiting& one) {
     if (!one.bytes) {
       const Error& error = one.bytes.error();
-      warn(is_limit(error) ? texture_limit : texture_missing, one.file, error.text, error.notes);
+      warn(is_limit(error) ? texture_limit : texture_missing, one, error.text, error.notes);
     } else if (one.error) {
-      warn(is_limit(*one.error) ? texture_limit : texture_undecodable, one.file,
+      warn(is_limit(*one.error) ? texture_limit : texture_undecodable, one,
            "cannot decode: " + one.error->text, {});
     }
   }
 
-  void warn(const Code& code, const FileReference& file, const std::string& why,
+  void warn(const Code& code, const Waiting& one, const std::string& why,
             const std::vector<std::string>& notes) {
-    diagnostics_.report(
-        code, code.severity, file.location,
-        fmt::format("texture {}: {}; shading with the diffuse color", quoted(file.name, 200), why),
-        notes);
+    diagnostics_.add({&code, code.severity, one.file.location, one.from,
+                      fmt::format("texture {}: {}; shading with the {}", quoted(one.file.name, 200),
+                                  why, one.from.empty() ? "diffuse color" : "color alone"),
+                      notes});
   }
 
   const FetchFile& fetch_;
@@ -129,7 +129,8 @@ class MeshLoader {
         triangles_(options.limits.mesh_triangles),
         bytes_(options.limits.mesh_bytes) {}
 
-  Mesh load(const FileReference& file) {
+  // `materials`: where they are wanted, or null.
+  Mesh load(const FileReference& file, ObjMaterials* materials) {
     const Result<std::string> bytes = fetch_(file.name);
     if (!bytes) {
       const Error& error = bytes.error();
@@ -137,7 +138,8 @@ class MeshLoader {
       return {};
     }
     Diagnostics findings(options_.limits);
-    Mesh mesh = read_obj(*bytes, file.name, options_.limits, triangles_, bytes_, findings);
+    Mesh mesh =
+        read_obj(*bytes, file.name, options_.limits, triangles_, bytes_, findings, materials);
     for (Diagnostic finding : findings.list()) {
       finding.severity = softened(finding.severity);
       diagnostics_.add(std::move(finding));
@@ -148,6 +150,9 @@ class MeshLoader {
     }
     return mesh;
   }
+
+  // What remains of limits.mesh_bytes.
+  std::uint64_t& byte_budget() { return bytes_; }
 
  private:
   Severity softened(Severity severity) const {
@@ -171,6 +176,14 @@ class MeshLoader {
 
 }  // namespace
 
+bool has_emissive_faces(const Assets& assets) {
+  return std::any_of(
+      assets.mesh_materials.begin(), assets.mesh_materials.end(), [](const MeshMaterials& mesh) {
+        return std::any_of(mesh.materials.begin(), mesh.materials.end(),
+                           [](const FaceMaterial& m) { return m.emission != glm::vec3(0); });
+      });
+}
+
 Assets load_assets(std::span<const FileReference> texture_files,
                    std::span<const FileReference> mesh_files, const FetchFile& fetch_file,
                    const LoadOptions& options, Diagnostics& diagnostics) {
@@ -178,13 +191,30 @@ Assets load_assets(std::span<const FileReference> texture_files,
   Assets assets;
   assets.textures.resize(texture_files.size());
   assets.meshes.resize(mesh_files.size());
-  if (options.textures) {
-    TextureLoader(fetch, options, diagnostics).load(texture_files, assets.textures);
+  assets.mesh_materials.resize(options.materials ? mesh_files.size() : 0);
+  TextureLoader textures(fetch, options, diagnostics);
+  const std::string scene;
+  for (std::size_t i = 0; options.textures && i < texture_files.size(); ++i) {
+    textures.add(texture_files[i], scene, assets.textures[i]);
   }
+  textures.finish();
   MeshLoader meshes(fetch, options, diagnostics);
+  MaterialLoader materials(fetch, options.limits, meshes.byte_budget(), texture_files, diagnostics);
   for (std::size_t i = 0; i < mesh_files.size(); ++i) {
-    assets.meshes[i] = meshes.load(mesh_files[i]);
+    ObjMaterials written;
+    assets.meshes[i] = meshes.load(mesh_files[i], options.materials ? &written : nullptr);
+    if (options.materials) {
+      assets.mesh_materials[i] = materials.load(mesh_files[i].name, written);
+    }
   }
+  const std::vector<MeshReference>& maps = materials.maps();
+  assets.textures.resize(texture_files.size() + maps.size());
+  for (std::size_t i = 0; options.textures && i < maps.size(); ++i) {
+    textures.add(maps[i].file, maps[i].from, assets.textures[texture_files.size() + i]);
+  }
+  textures.finish();
+  assets.mesh_references = materials.libraries();
+  assets.mesh_references.insert(assets.mesh_references.end(), maps.begin(), maps.end());
   return assets;
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 
 namespace scenefile {
 
@@ -26,41 +27,52 @@ std::string out_of_range(std::string_view word, const IndexList& list) {
                      list.in_file);
 }
 
-// A number of the file (from 1, or negative from the end) as an index.
-Result<std::uint32_t> parse_index(std::string_view word, const IndexList& list) {
+// A number of the file (from 1, or negative from the end) as an index; else why it is not one.
+struct ParsedIndex {
+  std::uint32_t value = mesh_no_index;
+  std::string error;
+  bool out_of_range = false;
+};
+
+ParsedIndex parse_index(std::string_view word, const IndexList& list) {
   const bool minus = !word.empty() && word[0] == '-';
   const std::string_view digits = word.substr(minus || (!word.empty() && word[0] == '+') ? 1 : 0);
   const char* end = digits.data() + digits.size();
   std::uint64_t number = 0;
   const auto result = std::from_chars(digits.data(), end, number);
   if (result.ptr != end || result.ec == std::errc::invalid_argument) {
-    return input_error(word.empty()
-                           ? fmt::format("the number of the {} is missing", list.name)
-                           : fmt::format("{} is not the number of a {}", quoted(word), list.name));
+    return {mesh_no_index,
+            word.empty() ? fmt::format("the number of the {} is missing", list.name)
+                         : fmt::format("{} is not the number of a {}", quoted(word), list.name)};
   }
   const std::uint64_t most = minus ? list.so_far : list.in_file;
   if (result.ec == std::errc::result_out_of_range || number == 0 || number > most) {
-    return input_error(out_of_range(word, list));
+    return {mesh_no_index, out_of_range(word, list), true};
   }
-  return static_cast<std::uint32_t>(minus ? list.so_far - number : number - 1);
+  return {static_cast<std::uint32_t>(minus ? list.so_far - number : number - 1), {}};
 }
 
 }  // namespace
 
-Result<Corner> parse_corner(std::string_view word, const CornerLists& lists) {
+Result<Corner> parse_corner(std::string_view word, const CornerLists& lists,
+                            std::string& missing_normal) {
   const IndexList* const list[] = {&lists.positions, &lists.uvs, &lists.normals};
   std::uint32_t indices[] = {mesh_no_index, mesh_no_index, mesh_no_index};
   std::string_view rest = word;
   for (std::size_t part = 0; part < 3; ++part) {
     const std::size_t end = std::min(rest.find('/'), rest.size());
     if (part == 0 || end > 0) {
-      const Result<std::uint32_t> index = parse_index(rest.substr(0, end), *list[part]);
-      if (!index) {
-        return end == word.size() ? index.error()
-                                  : input_error(fmt::format("in the corner {}: {}", quoted(word),
-                                                            index.error().text));
+      ParsedIndex index = parse_index(rest.substr(0, end), *list[part]);
+      if (!index.error.empty()) {
+        std::string text = end == word.size()
+                               ? std::move(index.error)
+                               : fmt::format("in the corner {}: {}", quoted(word), index.error);
+        if (!index.out_of_range || list[part] != &lists.normals) {
+          return input_error(std::move(text));
+        }
+        missing_normal = std::move(text);
       }
-      indices[part] = *index;
+      indices[part] = index.value;
     }
     if (end == rest.size()) {
       return Corner{indices[0], indices[1], indices[2]};

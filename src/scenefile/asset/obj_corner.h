@@ -4,6 +4,7 @@
 #include "scenefile/base/result.h"
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace scenefile {
@@ -24,7 +25,9 @@ struct Corner {
   std::uint32_t position, uv, normal;
 };
 
-/// Reads v, v/vt, v//vn or v/vt/vn.
-Result<Corner> parse_corner(std::string_view word, const CornerLists& lists);
+/// Reads v, v/vt, v//vn or v/vt/vn. If only the normal does not exist, the corner has none, and
+/// `missing_normal` says why.
+Result<Corner> parse_corner(std::string_view word, const CornerLists& lists,
+                            std::string& missing_normal);
 
 }  // namespace scenefile

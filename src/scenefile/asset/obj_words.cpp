@@ -95,6 +95,20 @@ std::string_view ObjWords::next_word() {
   return text_.substr(start, at_ - start);
 }
 
+std::string_view ObjWords::rest(std::string_view first) {
+  const auto start = static_cast<std::size_t>(first.data() - text_.data());
+  std::size_t end = start + first.size();
+  while (at_ < text_.size()) {
+    if (text_[at_] == '#' && at_ == end && end > start) {
+      ++at_;
+    } else if (next_word().empty()) {
+      break;
+    }
+    end = at_;
+  }
+  return text_.substr(start, end - start);
+}
+
 Location ObjWords::location(std::string_view word) const {
   const auto at = static_cast<std::size_t>(word.data() - text_.data());
   if (at < line_start_) {

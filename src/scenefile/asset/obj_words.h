@@ -20,6 +20,9 @@ class ObjWords {
   bool next_statement();
   /// The next word of the statement; empty when there is none.
   std::string_view next_word();
+  /// From `first`, the word returned last, to the last word of the statement: a name that may hold
+  /// blanks. A # inside a word belongs to it, as in file names.
+  std::string_view rest(std::string_view first);
 
   /// The place of a word returned by next() (columns beyond 65,536 count bytes); for a word on an
   /// earlier line of the statement, the start of the current line.

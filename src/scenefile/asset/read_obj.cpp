@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 
 namespace scenefile {
@@ -28,15 +29,23 @@ struct Counts {
   std::uint64_t uvs = 0;
   std::uint64_t normals = 0;
   std::uint64_t triangles = 0;  ///< at most
+  std::uint64_t materials = 0;  ///< bytes of the names of materials and libraries
 
   std::uint64_t bytes() const {
-    const int lists = 1 + (uvs > 0 ? 1 : 0) + (normals > 0 ? 1 : 0);
+    const std::uint64_t lists = 1 + (uvs > 0 ? 1 : 0) + (normals > 0 ? 1 : 0);
+    const std::uint64_t material = materials > 0 ? sizeof(std::uint32_t) : 0;
     return positions * sizeof(glm::vec3) + uvs * sizeof(glm::vec2) + normals * sizeof(glm::vec3) +
-           triangles * sizeof(Corners) * static_cast<std::uint64_t>(lists);
+           triangles * (sizeof(Corners) * lists + material) + materials;
   }
 };
 
-Counts count_elements(std::string_view text) {
+// The memory of a name, in a list and in a table.
+std::uint64_t name_bytes(std::string_view name) {
+  constexpr std::uint64_t node_bytes = 64;
+  return sizeof(FileReference) + node_bytes + name.size();
+}
+
+Counts count_elements(std::string_view text, bool materials) {
   Counts counts;
   ObjWords words(text);
   while (words.next_statement()) {
@@ -53,20 +62,34 @@ Counts count_elements(std::string_view text) {
         ++corners;
       }
       counts.triangles += corners > 2 ? corners - 2 : 0;
+    } else if (materials && (keyword == "usemtl" || keyword == "mtllib")) {
+      const std::string_view line = words.rest(words.next_word());
+      counts.materials += name_bytes(line);
+      for (ObjWords names(keyword == "mtllib" ? line : ""); names.next_statement();) {
+        for (std::string_view name = names.next_word(); !name.empty(); name = names.next_word()) {
+          counts.materials += name_bytes(name);
+        }
+      }
     }
   }
   return counts;
 }
 
-Counts counts_of(const Mesh& mesh) {
-  return {mesh.positions.size(), mesh.uvs.size(), mesh.normals.size(), mesh.triangles.size()};
+Counts counts_of(const Mesh& mesh, const ObjMaterials* materials) {
+  Counts counts{mesh.positions.size(), mesh.uvs.size(), mesh.normals.size(), mesh.triangles.size()};
+  if (materials != nullptr) {
+    for (const FileReference& name : materials->names) {
+      counts.materials += name_bytes(name.name);
+    }
+  }
+  return counts;
 }
 
 // Statements that do not affect the picture.
 bool is_skipped(std::string_view keyword) {
-  constexpr std::string_view names[] = {
-      "g",      "o",      "s",     "usemtl", "mtllib",     "l",         "p",        "mg",
-      "usemap", "maplib", "bevel", "lod",    "shadow_obj", "trace_obj", "c_interp", "d_interp"};
+  constexpr std::string_view names[] = {"g",          "o",         "s",        "l",       "p",
+                                        "mg",         "usemap",    "maplib",   "bevel",   "lod",
+                                        "shadow_obj", "trace_obj", "c_interp", "d_interp"};
   return std::find(std::begin(names), std::end(names), keyword) != std::end(names);
 }
 
@@ -107,22 +130,25 @@ bool has_vertex(std::string_view text) {
 
 // Keeps only the triangles for which `keep` is true.
 template <typename Keep>
-void keep_triangles(Mesh& mesh, Keep keep) {
+void keep_triangles(Mesh& mesh, std::vector<std::uint32_t>& materials, Keep keep) {
+  const auto for_each_list = [&](auto work) {
+    work(mesh.triangles);
+    work(mesh.triangle_uvs);
+    work(mesh.triangle_normals);
+    work(materials);
+  };
   std::size_t kept = 0;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    if (!keep(mesh.triangles[i])) {
-      continue;
+    if (keep(mesh.triangles[i])) {
+      for_each_list([&](auto& list) {
+        if (!list.empty()) {
+          list[kept] = list[i];
+        }
+      });
+      ++kept;
     }
-    for (auto* list : {&mesh.triangles, &mesh.triangle_uvs, &mesh.triangle_normals}) {
-      if (!list->empty()) {
-        (*list)[kept] = (*list)[i];
-      }
-    }
-    ++kept;
   }
-  for (auto* list : {&mesh.triangles, &mesh.triangle_uvs, &mesh.triangle_normals}) {
-    list->resize(list->empty() ? 0 : kept);
-  }
+  for_each_list([&](auto& list) { list.resize(list.empty() ? 0 : kept); });
 }
 
 bool has_area(const Mesh& mesh, const Corners& triangle) {
@@ -144,19 +170,23 @@ void drop_unused(std::vector<Corners>& list) {
 class ObjReader {
  public:
   ObjReader(std::string_view text, const std::string& file_name, const Limits& limits,
-            Diagnostics& diagnostics)
+            Diagnostics& diagnostics, ObjMaterials* materials)
       : words_(text),
-        counts_(count_elements(text)),
+        counts_(count_elements(text, materials != nullptr)),
         may_quote_(has_vertex(text)),
         file_name_(file_name),
         limits_(limits),
-        diagnostics_(diagnostics) {}
+        diagnostics_(diagnostics),
+        materials_(materials) {}
 
   const Counts& counts() const { return counts_; }
 
   void report(const Code& code, Location location, std::string message) {
-    errors_ += code.severity == Severity::error ? 1 : 0;
-    diagnostics_.add({&code, code.severity, location, file_name_, std::move(message)});
+    report(code, code.severity, location, std::move(message));
+  }
+  void report(const Code& code, Severity severity, Location location, std::string message) {
+    errors_ += severity == Severity::error ? 1 : 0;
+    diagnostics_.add({&code, severity, location, file_name_, std::move(message)});
   }
 
   Mesh read() {
@@ -174,7 +204,13 @@ class ObjReader {
       report_unknown();
       finish();
     }
-    return errors_ == 0 ? std::move(mesh_) : Mesh{};
+    if (errors_ != 0) {
+      return {};
+    }
+    if (materials_ != nullptr) {
+      *materials_ = std::move(written_);
+    }
+    return std::move(mesh_);
   }
 
  private:
@@ -185,6 +221,7 @@ class ObjReader {
     mesh_.triangles.reserve(counts_.triangles);
     mesh_.triangle_uvs.reserve(counts_.uvs > 0 ? counts_.triangles : 0);
     mesh_.triangle_normals.reserve(counts_.normals > 0 ? counts_.triangles : 0);
+    written_.of_triangle.reserve(counts_.materials > 0 ? counts_.triangles : 0);
   }
 
   // False if the text cannot be OBJ.
@@ -198,6 +235,10 @@ class ObjReader {
       read_normal(keyword);
     } else if (keyword == "vt") {
       mesh_.uvs.emplace_back(read_numbers(keyword, 1, 2));
+    } else if (keyword == "usemtl") {
+      use_material();
+    } else if (keyword == "mtllib") {
+      add_library();
     } else if (!is_skipped(keyword)) {
       known_ -= is_free_form(keyword) ? 0 : 1;
       return note_unknown(keyword);
@@ -273,23 +314,69 @@ class ObjReader {
     }
   }
 
+  // The rest of the statement.
+  FileReference read_name(std::string_view first) {
+    const Location location = words_.location(first);
+    return {std::string(words_.rest(first)), location};
+  }
+
+  void use_material() {
+    const std::string_view first = words_.next_word();
+    if (materials_ == nullptr || first.empty()) {
+      material_ = mesh_no_index;
+      return;
+    }
+    FileReference name = read_name(first);
+    const auto [entry, is_new] =
+        numbers_.try_emplace(name.name, static_cast<std::uint32_t>(written_.names.size()));
+    material_ = entry->second;
+    if (is_new) {
+      written_.names.push_back(std::move(name));
+    }
+  }
+
+  void add_library() {
+    const std::string_view first = words_.next_word();
+    if (materials_ == nullptr || first.empty()) {
+      return;
+    }
+    std::vector<FileReference>& names = written_.libraries.emplace_back();
+    FileReference line = read_name(first);
+    for (ObjWords words(line.name); words.next_statement();) {
+      for (std::string_view word = words.next_word(); !word.empty(); word = words.next_word()) {
+        names.push_back({std::string(word), line.location});
+      }
+    }
+    if (names.empty() || names.front().name != line.name) {
+      names.push_back(std::move(line));
+    }
+  }
+
   Corner read_corner(std::string_view word) {
     const CornerLists lists = {
         {"vertex", counts_.positions, mesh_.positions.size()},
         {"uv", counts_.uvs, mesh_.uvs.size()},
         {"normal", counts_.normals, mesh_.normals.size()},
     };
-    const Result<Corner> corner = parse_corner(word, lists);
+    std::string missing_normal;
+    const Result<Corner> corner = parse_corner(word, lists, missing_normal);
     if (!corner) {
       report(mesh_index, words_.location(word),
              may_quote_ ? corner.error().text : "this is not a corner of a face");
       return {};
+    }
+    if (!missing_normal.empty() && missing_normals_++ == 0) {
+      first_missing_normal_ = words_.location(word);
+      missing_normal_ = std::move(missing_normal);
     }
     return *corner;
   }
 
   void add_triangle(const Corner& a, const Corner& b, const Corner& c) {
     mesh_.triangles.push_back({a.position, b.position, c.position});
+    if (counts_.materials > 0) {
+      written_.of_triangle.push_back(material_);
+    }
     if (counts_.uvs > 0) {
       const bool all = a.uv != mesh_no_index && b.uv != mesh_no_index && c.uv != mesh_no_index;
       mesh_.triangle_uvs.push_back(all ? Corners{a.uv, b.uv, c.uv} : no_corners);
@@ -333,8 +420,18 @@ class ObjReader {
     if (zero_normals_ > 0) {
       make_flat();
     }
+    if (missing_normals_ > 0) {
+      report(mesh_index, Severity::warning, first_missing_normal_,
+             fmt::format("{}; {} corner{} without {} normal: the triangles are shaded flat",
+                         missing_normal_, missing_normals_, missing_normals_ == 1 ? " is" : "s are",
+                         missing_normals_ == 1 ? "its" : "their"));
+    }
+    if (written_.names.empty()) {
+      written_.of_triangle.clear();
+    }
     const std::size_t all = mesh_.triangles.size();
-    keep_triangles(mesh_, [&](const Corners& triangle) { return has_area(mesh_, triangle); });
+    keep_triangles(mesh_, written_.of_triangle,
+                   [&](const Corners& triangle) { return has_area(mesh_, triangle); });
     drop_unused(mesh_.triangle_uvs);
     drop_unused(mesh_.triangle_normals);
     if (const std::size_t dropped = all - mesh_.triangles.size(); dropped > 0) {
@@ -371,11 +468,18 @@ class ObjReader {
   const Limits& limits_;
   Diagnostics& diagnostics_;
   Mesh mesh_;
+  ObjMaterials* materials_;  // where they are wanted, or null
+  ObjMaterials written_;
+  std::unordered_map<std::string, std::uint32_t> numbers_;  // of materials, by name
+  std::uint32_t material_ = mesh_no_index;
   std::uint64_t errors_ = 0;
   std::uint64_t known_ = 0;  // statements
   std::vector<std::pair<std::string_view, Location>> unknown_;
   std::uint64_t zero_normals_ = 0;
   Location first_zero_normal_;
+  std::uint64_t missing_normals_ = 0;  // corners
+  Location first_missing_normal_;
+  std::string missing_normal_;  // why the first one does not exist
 };
 
 // Why a mesh of this size is rejected, or nothing.
@@ -395,16 +499,16 @@ std::string over_limits(const Counts& counts, std::uint64_t triangles, std::uint
 }  // namespace
 
 Mesh read_obj(std::string_view text, const std::string& file_name, const Limits& limits,
-              std::uint64_t& triangle_budget, std::uint64_t& byte_budget,
-              Diagnostics& diagnostics) {
-  ObjReader reader(text, file_name, limits, diagnostics);
+              std::uint64_t& triangle_budget, std::uint64_t& byte_budget, Diagnostics& diagnostics,
+              ObjMaterials* materials) {
+  ObjReader reader(text, file_name, limits, diagnostics, materials);
   const std::string too_large = over_limits(reader.counts(), triangle_budget, byte_budget);
   if (!too_large.empty()) {
     reader.report(mesh_limit, {}, too_large);
     return {};
   }
   Mesh mesh = reader.read();
-  const Counts read = counts_of(mesh);
+  const Counts read = counts_of(mesh, materials);
   triangle_budget -= read.triangles;
   byte_budget -= read.bytes();
   return mesh;

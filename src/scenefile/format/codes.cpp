@@ -122,6 +122,7 @@ std::span<const Code* const> format_codes() {
       &config_syntax,
       &config_unknown_key,
       &config_value,
+      &config_zero,
   };
   return all;
 }

@@ -486,11 +486,12 @@ inline constexpr Code config_backslash{
     "in hexadecimal for any other character."};
 inline constexpr Code config_unknown_key{
     "config.unknown-key", Severity::warning, "an unknown key of the configuration",
-    "The keys are scene and output in [IO], width and height in [Canvas], maximum-recursive-depth "
-    "and "
-    "only-render-normals in [Settings], and in [Feature] shadows, reflect, refract, texture, "
-    "texture-filter, super-sample, depthoffield; parallel and acceleration are accepted, but do "
-    "not affect the picture. Other keys have no effect."};
+    "The keys are scene and output in [IO]. For the ray tracer: width and height in [Canvas], "
+    "maximum-recursive-depth and only-render-normals in [Settings], and in [Feature] shadows, "
+    "reflect, refract, texture, texture-filter, super-sample, depthoffield; parallel and "
+    "acceleration are accepted, but do not affect the picture. For the path tracer, in [Settings]: "
+    "imageWidth, imageHeight, samplesPerPixel, pathContinuationProb, directLightingOnly, "
+    "numDirectLightingSamples. Other keys have no effect."};
 inline constexpr Code config_key_case{
     "config.key-case", Severity::warning, "a key of the configuration in the wrong case",
     "Names of sections and keys were matched ignoring case. The course's program does so only on "
@@ -499,14 +500,25 @@ inline constexpr Code config_duplicate_key{"config.duplicate-key", Severity::war
                                            "a key of the configuration is given twice",
                                            "The last one counts. Delete the others."};
 inline constexpr Code config_missing_key{
-    "config.missing-key", Severity::error, "the configuration is missing a key",
-    "A configuration needs at least scene and output in [IO], width and height in [Canvas]."};
+    "config.missing-key",
+    Severity::error,
+    "the configuration is missing a key",
+    "A configuration needs at least scene and output in [IO], width and height in [Canvas]; one of "
+    "the path tracer imageWidth and imageHeight in [Settings]. Its other keys count as 0 if they "
+    "are missing, with a warning, as in the course's program; counts as 1.",
+    CodeKind::plain,
+    Severity::warning};
 inline constexpr Code config_picture_format{
     "config.picture-format", Severity::warning, "the picture is written as PNG",
     "The extension of output decides: .png, .exr or .pfm. Any other extension gives a PNG."};
+inline constexpr Code config_zero{
+    "config.zero", Severity::warning, "a count of 0",
+    "A picture needs at least one sample per pixel, and one point on the lamps for each surface "
+    "point. With 0 most programs divide by zero. 1 is used."};
 inline constexpr Code config_value{
     "config.value", Severity::error, "a value of the configuration cannot be used",
-    "Features are true or false (1 or 0); sizes are whole numbers of pixels. The course's program "
-    "reads every other word as true and every other number as 0."};
+    "Features are true or false (1 or 0); sizes and counts are whole numbers; a probability is "
+    "between 0 and 1. The course's program reads every other word as true and every other number "
+    "as 0."};
 
 }  // namespace scenefile

@@ -1,5 +1,6 @@
 #include "scenefile/format/read_config.h"
 
+#include "scenefile/base/number.h"
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -24,20 +26,33 @@ struct Path {
 using Size = int CourseConfig::*;
 using Switch = bool CourseConfig::*;
 using Depth = std::optional<int> CourseConfig::*;
+struct Count {
+  int CourseConfig::*number;
+};
+using Probability = float CourseConfig::*;
 
 constexpr int max_bounces = 64;
+constexpr int max_count = 65536;
+
+// What it means if a key is not given.
+enum class Absence : std::uint8_t { allowed, warning, error };
+
+constexpr std::optional<ConfigKind> any_kind;
 
 struct Key {
   std::string_view name;  // "Section/key"
-  std::variant<Path, Size, Switch, Depth> field;
-  bool required = false;
+  std::variant<Path, Size, Switch, Depth, Count, Probability> field;
+  std::optional<ConfigKind> kind = ConfigKind::ray;  // that it belongs to
+  Absence absence = Absence::allowed;
 };
 
 const std::array keys{
-    Key{"IO/scene", Path{&CourseConfig::scene, &CourseConfig::scene_place}, true},
-    Key{"IO/output", Path{&CourseConfig::output, &CourseConfig::output_place}, true},
-    Key{"Canvas/width", &CourseConfig::width, true},
-    Key{"Canvas/height", &CourseConfig::height, true},
+    Key{"IO/scene", Path{&CourseConfig::scene, &CourseConfig::scene_place}, any_kind,
+        Absence::error},
+    Key{"IO/output", Path{&CourseConfig::output, &CourseConfig::output_place}, any_kind,
+        Absence::error},
+    Key{"Canvas/width", &CourseConfig::width, ConfigKind::ray, Absence::error},
+    Key{"Canvas/height", &CourseConfig::height, ConfigKind::ray, Absence::error},
     Key{"Feature/shadows", &CourseConfig::shadows},
     Key{"Feature/reflect", &CourseConfig::reflect},
     Key{"Feature/refract", &CourseConfig::refract},
@@ -49,6 +64,16 @@ const std::array keys{
     Key{"Feature/acceleration", &CourseConfig::acceleration},
     Key{"Settings/maximum-recursive-depth", &CourseConfig::maximum_recursive_depth},
     Key{"Settings/only-render-normals", &CourseConfig::only_render_normals},
+    Key{"Settings/imageWidth", &CourseConfig::width, ConfigKind::path, Absence::error},
+    Key{"Settings/imageHeight", &CourseConfig::height, ConfigKind::path, Absence::error},
+    Key{"Settings/samplesPerPixel", Count{&CourseConfig::samples_per_pixel}, ConfigKind::path,
+        Absence::warning},
+    Key{"Settings/pathContinuationProb", &CourseConfig::path_continuation_prob, ConfigKind::path,
+        Absence::warning},
+    Key{"Settings/directLightingOnly", &CourseConfig::direct_lighting_only, ConfigKind::path,
+        Absence::warning},
+    Key{"Settings/numDirectLightingSamples", Count{&CourseConfig::num_direct_lighting_samples},
+        ConfigKind::path, Absence::warning},
 };
 
 // A key for messages: "[IO] scene".
@@ -111,6 +136,24 @@ struct ConfigReader {
     }
   }
 
+  void set(const IniEntry& entry, const Key& key, const Count& field) const {
+    int number = 1;
+    if (read_number(entry, key, 0, max_count, number) && number == 0) {
+      diagnostics.report(config_zero, entry.value_place,
+                         fmt::format("0 for {} counts as 1", shown(key.name)));
+    }
+    config.*field.number = std::max(number, 1);
+  }
+
+  void set(const IniEntry& entry, const Key& key, Probability field) const {
+    const ParsedNumber number = parse_number(entry.value);
+    if (number.error != NumberError::none || number.value < 0 || number.value > 1) {
+      fail(entry, key, "a probability from 0 to 1");
+      return;
+    }
+    config.*field = static_cast<float>(number.value);
+  }
+
   void set(const IniEntry& entry, const Key& key, Switch field) const {
     const std::string word = lower_case(entry.value);
     config.*field = word == "true" || word == "1";
@@ -141,15 +184,57 @@ bool is_of_config(const IniEntry& entry) {
   });
 }
 
+// An entry and what it sets; null if the key is unknown.
+struct KnownEntry {
+  IniEntry entry;
+  std::string name;
+  const Key* key = nullptr;
+};
+
+std::vector<KnownEntry> known_entries(std::vector<IniEntry> entries) {
+  std::vector<KnownEntry> known;
+  for (IniEntry& entry : entries) {
+    std::string name = name_of(entry);
+    const auto* const key = std::find_if(
+        keys.begin(), keys.end(), [&](const Key& k) { return equal_ignoring_case(k.name, name); });
+    known.push_back({std::move(entry), std::move(name), key == keys.end() ? nullptr : key});
+  }
+  return known;
+}
+
+ConfigKind kind_of(const std::vector<KnownEntry>& entries) {
+  const auto count = [&](ConfigKind kind) {
+    return std::count_if(entries.begin(), entries.end(), [&](const KnownEntry& e) {
+      return e.key != nullptr && e.key->kind == kind;
+    });
+  };
+  return count(ConfigKind::path) > count(ConfigKind::ray) ? ConfigKind::path : ConfigKind::ray;
+}
+
+void report_missing(const Key& key, bool damaged, Diagnostics& diagnostics) {
+  const std::string text = fmt::format("the configuration is missing {}", shown(key.name));
+  if (damaged) {
+    return;
+  }
+  if (key.absence == Absence::warning) {
+    diagnostics.report(config_missing_key, Severity::warning, {},
+                       fmt::format("{}; it counts as {}", text,
+                                   std::holds_alternative<Switch>(key.field)  ? "false"
+                                   : std::holds_alternative<Count>(key.field) ? "1"
+                                                                              : "0"));
+  } else if (key.absence == Absence::error) {
+    diagnostics.report(config_missing_key, {}, text);
+  }
+}
+
 }  // namespace
 
 CourseConfig read_config(std::string_view text, const Limits& limits, Diagnostics& diagnostics) {
   CourseConfig config;
   const ConfigReader reader{config, limits, diagnostics};
-  std::array<bool, keys.size()> given{};
   Diagnostics found;
-  const std::vector<IniEntry> entries = read_ini(text, found);
-  if (std::none_of(entries.begin(), entries.end(), is_of_config)) {
+  std::vector<IniEntry> read = read_ini(text, found);
+  if (std::none_of(read.begin(), read.end(), is_of_config)) {
     diagnostics.report(config_missing_key, {},
                        "not a configuration: it has no key in a section [IO], [Canvas], [Feature] "
                        "or [Settings]");
@@ -158,20 +243,30 @@ CourseConfig read_config(std::string_view text, const Limits& limits, Diagnostic
   for (const Diagnostic& d : found.list()) {
     diagnostics.add(d);
   }
-  for (const IniEntry& entry : entries) {
-    const std::string name = name_of(entry);
-    const auto key = std::find_if(keys.begin(), keys.end(), [&](const Key& k) {
-      return lower_case(k.name) == lower_case(name);
-    });
-    if (key == keys.end()) {
-      report_unknown(entry, name, diagnostics);
+  const std::vector<KnownEntry> entries = known_entries(std::move(read));
+  config.kind = kind_of(entries);
+  std::array<bool, keys.size()> given{};
+  for (const KnownEntry& known : entries) {
+    const IniEntry& entry = known.entry;
+    const Key* const key = known.key;
+    if (key == nullptr) {
+      report_unknown(entry, known.name, diagnostics);
       continue;
     }
-    if (key->name != name) {
-      diagnostics.report(config_key_case, entry.key_place,
-                         fmt::format("{} is read as {}", shown(name), shown(key->name)));
+    if (key->kind.value_or(config.kind) != config.kind) {
+      const bool path = config.kind == ConfigKind::path;
+      diagnostics.report(
+          config_unknown_key, entry.key_place,
+          fmt::format("{} has no effect: it belongs to the {} tracer, and this is a "
+                      "configuration of the {} tracer",
+                      shown(key->name), path ? "ray" : "path", path ? "path" : "ray"));
+      continue;
     }
-    bool& seen = given[static_cast<std::size_t>(key - keys.begin())];
+    if (key->name != known.name) {
+      diagnostics.report(config_key_case, entry.key_place,
+                         fmt::format("{} is read as {}", shown(known.name), shown(key->name)));
+    }
+    bool& seen = given[static_cast<std::size_t>(key - keys.data())];
     if (seen) {
       diagnostics.report(config_duplicate_key, entry.key_place,
                          fmt::format("{} is given again; this one counts", shown(key->name)));
@@ -182,9 +277,8 @@ CourseConfig read_config(std::string_view text, const Limits& limits, Diagnostic
   // Keys on lines that could not be read are not reported as missing.
   const bool damaged = diagnostics.has_errors();
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    if (keys[i].required && !given[i] && !damaged) {
-      diagnostics.report(config_missing_key, {},
-                         fmt::format("the configuration is missing {}", shown(keys[i].name)));
+    if (!given[i] && keys[i].kind.value_or(config.kind) == config.kind) {
+      report_missing(keys[i], damaged, diagnostics);
     }
   }
   return config;

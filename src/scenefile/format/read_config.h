@@ -1,23 +1,32 @@
 #pragma once
-// Configuration files of the course's ray tracer: the .ini file that is its only argument.
+// Configuration files of the course's ray tracer and path tracer: the .ini file that is the only
+// argument of each.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace scenefile {
 
+/// The program that a configuration is for: that of the assignments with rays (Intersect,
+/// Illuminate), or that of the advanced course's assignment Path.
+enum class ConfigKind : std::uint8_t { ray, path };
+
 /// The contents of a configuration. Features that it does not mention are off.
 struct CourseConfig {
+  ConfigKind kind = ConfigKind::ray;
   std::string scene;   ///< [IO] path, as written: relative to the working directory
   std::string output;  ///< [IO] path of the picture
   Location scene_place;
   Location output_place;
-  int width = 0;   ///< [Canvas] pixels, 1 to limits.image_side
-  int height = 0;  ///< [Canvas]
+  int width = 0;   ///< pixels, 1 to limits.image_side; [Canvas], or [Settings] imageWidth
+  int height = 0;  ///< [Canvas], or [Settings] imageHeight
+
+  // Rays.
   bool shadows = false;
   bool reflect = false;
   bool refract = false;
@@ -30,12 +39,19 @@ struct CourseConfig {
   std::optional<int> maximum_recursive_depth;  ///< [Settings] number of bounces, 0 to 64
   bool only_render_normals = false;            ///< [Settings]
 
+  // Paths, [Settings]. Counts that are 0 or not given are 1.
+  int samples_per_pixel = 1;            ///< 1 to 65,536
+  int num_direct_lighting_samples = 1;  ///< points on lamps for each surface point, 1 to 65,536
+  float path_continuation_prob = 0;     ///< of each bounce, 0 to 1; 0: none
+  bool direct_lighting_only = false;
+
   friend bool operator==(const CourseConfig&, const CourseConfig&) = default;
 };
 
 /// Reads a configuration in the dialect of QSettings (sections, key = value, semicolon comments,
 /// quotes, backslash escapes). Sections and keys in the wrong case are accepted with a warning;
-/// true is `true` or `1`; false is `false`, `0` or empty. Codes: format/codes.h. If errors are
+/// true is `true` or `1`; false is `false`, `0` or empty. The kind is the one that more keys belong
+/// to; keys of the other kind have no effect, with a warning. Codes: format/codes.h. If errors are
 /// reported, do not use the result.
 CourseConfig read_config(std::string_view text, const Limits& limits, Diagnostics& diagnostics);
 

@@ -1,8 +1,7 @@
 #include "scenefile/import/read_obj_scene.h"
 
 #include "scenefile/asset/image_file.h"
-#include "scenefile/asset/obj_corner.h"
-#include "scenefile/asset/obj_words.h"
+#include "scenefile/asset/mtl_file.h"
 #include "scenefile/asset/read_obj.h"
 #include "scenefile/base/text.h"
 #include "scenefile/export/flat_mesh.h"
@@ -10,7 +9,6 @@
 #include "scenefile/import/complete_scene.h"
 #include "scenefile/import/mesh_text.h"
 #include "scenefile/import/picture_file.h"
-#include "scenefile/import/read_mtl.h"
 
 #include <fmt/format.h>
 
@@ -35,6 +33,39 @@ struct Faces {
   std::vector<Corners> uvs;
 };
 
+// Ka 1 1 1 is the default of many programs, and would be too bright here.
+glm::vec3 ambient_of(const MtlMaterial& mtl, const glm::vec3& diffuse) {
+  const glm::vec3 ambient = mtl.ambient.value_or(glm::vec3(0));
+  return ambient == glm::vec3(1) ? 0.1f * diffuse : ambient;
+}
+
+// With the defaults of the format.
+Material phong_material(const MtlMaterial& mtl) {
+  constexpr float most = 1e6f;
+  const auto color = [&](const std::optional<glm::vec3>& value, float otherwise) {
+    return glm::min(value.value_or(glm::vec3(otherwise)), glm::vec3(most));
+  };
+  const glm::vec3 specular = color(mtl.specular, 0);
+  const int illum = mtl.illum.value_or(2);
+  const bool mirror = illum >= 3 && illum <= 7 && illum != 4;
+  Material m;
+  m.diffuse = color(mtl.diffuse, 1);
+  m.ambient = glm::min(ambient_of(mtl, m.diffuse), glm::vec3(most));
+  if (illum >= 2 && mtl.shininess.value_or(0) > 0) {
+    m.specular = specular;
+    m.shininess = std::min(*mtl.shininess, most);
+  }
+  if (mirror) {
+    m.reflective = specular;
+  }
+  if (const float opacity = mtl.opacity.value_or(1); opacity < 1) {
+    m.transparent = (1 - opacity) * color(mtl.transmission, 1);
+    const float ior = std::clamp(mtl.ior.value_or(1), 0.1f, 10.0f);
+    m.ior = ior == 1 ? 0 : ior;
+  }
+  return m;
+}
+
 class ObjSceneReader {
  public:
   ObjSceneReader(std::string_view text, const ImportOptions& options, Diagnostics& diagnostics)
@@ -46,7 +77,8 @@ class ObjSceneReader {
   ImportedScene read() {
     std::uint64_t triangles = options_.limits.mesh_triangles;
     std::uint64_t bytes = options_.limits.mesh_bytes;
-    mesh_ = read_obj(text_, "", options_.limits, triangles, bytes, diagnostics_);
+    ObjMaterials written;
+    mesh_ = read_obj(text_, "", options_.limits, triangles, bytes, diagnostics_, &written);
     if (diagnostics_.has_errors()) {
       return {};
     }
@@ -61,7 +93,8 @@ class ObjSceneReader {
                       mesh_.triangles.size()));
       return {};
     }
-    sort_faces();
+    sort_faces(written);
+    read_libraries(written, bytes);
     result_.scene.global = {1, 1, 1, 1.0f, {}};
     for (const Faces& faces : faces_) {
       add_object(faces);
@@ -73,85 +106,61 @@ class ObjSceneReader {
   }
 
  private:
-  // read_obj() has already validated every statement.
-  void sort_faces() {
-    ObjWords words(text_);
-    CornerLists lists{{"vertex", mesh_.positions.size(), 0},
-                      {"uv", mesh_.uvs.size(), 0},
-                      {"normal", mesh_.normals.size(), 0}};
-    std::size_t current = faces_of("");
-    while (words.next_statement()) {
-      const std::string_view keyword = words.next_word();
-      if (keyword == "v") {
-        ++lists.positions.so_far;
-      } else if (keyword == "vt") {
-        ++lists.uvs.so_far;
-      } else if (keyword == "vn") {
-        ++lists.normals.so_far;
-      } else if (keyword == "usemtl") {
-        current = faces_of(words.next_word());
-      } else if (keyword == "mtllib") {
-        for (std::string_view name = words.next_word(); !name.empty(); name = words.next_word()) {
-          read_library(std::string(name), words.location(name));
-        }
-      } else if (keyword == "f") {
-        add_face(words, lists, faces_[current]);
-      }
+  // First the triangles without a material.
+  void sort_faces(const ObjMaterials& written) {
+    faces_.resize(written.names.size() + 1);
+    for (std::size_t i = 0; i < written.names.size(); ++i) {
+      faces_[i + 1].material = written.names[i].name;
     }
-  }
-
-  std::size_t faces_of(std::string_view material) {
-    const auto [entry, is_new] = numbers_.try_emplace(std::string(material), faces_.size());
-    if (is_new) {
-      faces_.push_back({std::string(material), {}, {}, {}});
+    constexpr Corners none{mesh_no_index, mesh_no_index, mesh_no_index};
+    for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
+      const std::uint32_t material =
+          written.of_triangle.empty() ? mesh_no_index : written.of_triangle[i];
+      Faces& faces = faces_[material == mesh_no_index ? 0 : material + 1];
+      faces.triangles.push_back(mesh_.triangles[i]);
+      faces.uvs.push_back(mesh_.triangle_uvs.empty() ? none : mesh_.triangle_uvs[i]);
+      faces.normals.push_back(mesh_.triangle_normals.empty() ? none : mesh_.triangle_normals[i]);
     }
-    return entry->second;
   }
 
   Result<std::string> fetch(const std::string& name) const {
     return options_.fetch ? options_.fetch(name) : Error{"it is not opened here"};
   }
 
-  void read_library(const std::string& name, Location location) {
-    if (!libraries_.emplace(name, true).second) {
-      return;
+  // Every library counts, as the format says.
+  void read_libraries(const ObjMaterials& written, std::uint64_t bytes) {
+    has_libraries_ = !written.libraries.empty();
+    std::map<std::string, bool> readable;
+    for (const std::vector<FileReference>& line : written.libraries) {
+      std::string error;
+      bool any = false;
+      for (const FileReference& name : line) {
+        const auto [entry, is_new] = readable.try_emplace(name.name, true);
+        if (is_new) {
+          const Result<std::string> text = fetch(name.name);
+          if (text) {
+            add_library(*text, name.name, bytes);
+          } else {
+            entry->second = false;
+            error = text.error().text;
+          }
+        }
+        any = any || entry->second;
+      }
+      if (!any && !error.empty()) {
+        diagnostics_.report(
+            import_missing_file, line.back().location,
+            fmt::format("the materials {}: {}", quoted(line.back().name, 400), error));
+      }
     }
-    const Result<std::string> text = fetch(name);
-    if (!text) {
-      diagnostics_.report(
-          import_missing_file, location,
-          fmt::format("the materials {}: {}", quoted(name, 400), text.error().text));
-      return;
-    }
-    read_mtl(*text, materials_);
   }
 
-  static void add_face(ObjWords& words, const CornerLists& lists, Faces& faces) {
-    std::optional<Corner> first;
-    std::optional<Corner> last;
-    for (std::string_view word = words.next_word(); !word.empty(); word = words.next_word()) {
-      const Result<Corner> corner = parse_corner(word, lists);
-      if (!corner) {
-        return;
-      }
-      if (first && last) {
-        add_triangle(*first, *last, *corner, faces);
-      }
-      (first ? last : first) = *corner;
+  // The first material of a name counts.
+  void add_library(const std::string& text, const std::string& name, std::uint64_t& bytes) {
+    for (MtlMaterial& material : read_mtl(text, name, options_.limits, bytes, diagnostics_)) {
+      std::string key = material.name;
+      materials_.try_emplace(std::move(key), std::move(material));
     }
-  }
-
-  static void add_triangle(const Corner& a, const Corner& b, const Corner& c, Faces& faces) {
-    if (a.position == b.position || b.position == c.position || a.position == c.position) {
-      return;
-    }
-    constexpr Corners none{mesh_no_index, mesh_no_index, mesh_no_index};
-    const auto all = [&](const Corners& list) {
-      return std::find(list.begin(), list.end(), mesh_no_index) == list.end() ? list : none;
-    };
-    faces.triangles.push_back({a.position, b.position, c.position});
-    faces.uvs.push_back(all({a.uv, b.uv, c.uv}));
-    faces.normals.push_back(all({a.normal, b.normal, c.normal}));
   }
 
   void add_object(const Faces& faces) {
@@ -183,14 +192,14 @@ class ObjSceneReader {
   Material material_of(const std::string& name) {
     const auto found = materials_.find(name);
     if (found == materials_.end()) {
-      if (!name.empty() && !libraries_.empty()) {
+      if (!name.empty() && has_libraries_) {
         diagnostics_.report(import_left_out, {},
                             fmt::format("no library has the material {}", quoted(name)));
       }
       return {};
     }
-    Material material = found->second.material;
-    const std::string picture = this->picture(found->second);
+    Material material = phong_material(found->second);
+    const std::string picture = this->picture(found->second.diffuse_map.name, material.diffuse);
     if (!picture.empty()) {
       material.texture = TextureUse{picture, 1, 1, {}};
       material.blend = 1;
@@ -199,21 +208,20 @@ class ObjSceneReader {
   }
 
   // The picture multiplied by the diffuse color, as a file of the scene; empty if there is none.
-  std::string picture(const MtlMaterial& mtl) {
-    if (mtl.picture.empty()) {
+  std::string picture(const std::string& file, const glm::vec3& factor) {
+    if (file.empty()) {
       return {};
     }
-    const glm::vec3& factor = mtl.material.diffuse;
-    const auto [entry, is_new] = pictures_.try_emplace({mtl.picture, factor.x, factor.y, factor.z});
+    const auto [entry, is_new] = pictures_.try_emplace({file, factor.x, factor.y, factor.z});
     if (!is_new) {
       return entry->second;
     }
-    const Result<std::string> bytes = fetch(mtl.picture);
+    const Result<std::string> bytes = fetch(file);
     Result<Texture> texture =
         bytes ? decode_image(*bytes, options_.limits, texture_budget_) : Error{bytes.error().text};
     if (!texture) {
       const Error& error = texture.error();
-      const std::string name = quoted(mtl.picture, 400);
+      const std::string name = quoted(file, 400);
       error.kind == ErrorKind::limit
           ? diagnostics_.report(import_limit, {}, fmt::format("{}: {}", name, error.text))
           : diagnostics_.report(import_missing_file, {},
@@ -235,8 +243,7 @@ class ObjSceneReader {
   Mesh mesh_;
   Bounds box_;
   std::vector<Faces> faces_;
-  std::map<std::string, std::size_t, std::less<>> numbers_;
-  std::map<std::string, bool> libraries_;
+  bool has_libraries_ = false;
   std::map<std::string, MtlMaterial, std::less<>> materials_;
   std::map<std::tuple<std::string, float, float, float>, std::string> pictures_;
   std::uint64_t texture_budget_;

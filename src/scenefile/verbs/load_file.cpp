@@ -19,7 +19,7 @@ namespace {
 void locate(AssetRoots& roots, AssetKind kind, const std::vector<FileReference>& references,
             std::vector<AssetFile>& files) {
   for (const FileReference& reference : references) {
-    files.push_back({kind, reference, roots.resolve(reference.name)});
+    files.push_back({kind, reference, {}, roots.resolve(reference.name)});
   }
 }
 
@@ -108,6 +108,9 @@ std::vector<AssetFile> locate_files(const LoadedScene& scene, const AssetAccess&
   std::vector<AssetFile> files;
   locate(roots, AssetKind::texture, scene.ready.scene.texture_files, files);
   locate(roots, AssetKind::mesh, scene.ready.scene.mesh_files, files);
+  for (const MeshReference& named : scene.assets.mesh_references) {
+    files.push_back({named.kind, named.file, named.from, roots.resolve(named.file.name)});
+  }
   return files;
 }
 

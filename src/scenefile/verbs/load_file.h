@@ -20,10 +20,11 @@ struct AssetAccess {
   bool allow_outside = false;      ///< allow any file
 };
 
-/// A file that the scene refers to, and where it was found.
+/// A file that the scene or one of its meshes refers to, and where it was found.
 struct AssetFile {
   AssetKind kind = AssetKind::texture;
   FileReference reference;
+  std::string from;  ///< the mesh or material library that names it; empty: the scene
   ResolvedAsset resolved;
 };
 
@@ -57,7 +58,8 @@ Result<std::string> settings_table(const std::string& folder);
 AssetRootsOptions asset_roots_options(const std::string& path, const AssetAccess& access,
                                       const Limits& limits);
 
-/// Where each file of the scene was found, textures first.
+/// Where each file of the scene was found: its textures, its meshes, then the files that the loaded
+/// meshes name.
 std::vector<AssetFile> locate_files(const LoadedScene& scene, const AssetAccess& access,
                                     const Limits& limits);
 

@@ -32,6 +32,8 @@ void load_files(LoadedScene& scene, const FetchFile& fetch, const LoadSettings& 
   LoadOptions load;
   load.textures = settings.depth == LoadDepth::with_all_assets;
   load.allow_missing = settings.allow_missing;
+  // Without lights it is a scene for the path tracer, which the faces light.
+  load.materials = settings.materials || scene.ready.scene.lights.empty();
   load.limits = settings.limits;
   load.for_each = settings.for_each;
   scene.assets = load_assets(scene.ready.scene.texture_files, scene.ready.scene.mesh_files,
@@ -50,12 +52,23 @@ void ask(LoadedScene& scene, ViewQuestion question) {
   check_view(scene.ready.scene, scene.assets, question, scene.diagnostics);
 }
 
+// Whether it is a scene for the path tracer.
+bool lit_by_faces_only(const LoadedScene& scene) {
+  return scene.ready.scene.lights.empty() && has_emissive_faces(scene.assets);
+}
+
 // Whether the course's ray caster would use none of the scene's lights.
 bool dark_in_caster(const RenderOptions& options, const RenderScene& scene) {
   return options.profile == Profile::course && options.mode == Mode::intersect &&
          !scene.lights.empty() &&
          std::none_of(scene.lights.begin(), scene.lights.end(),
                       [](const RenderLight& l) { return is_in_intersect(l.type); });
+}
+
+void drop(const Code& dropped, Diagnostics& diagnostics) {
+  diagnostics.rewrite([&](const Code& code, Severity severity) {
+    return &code == &dropped ? std::nullopt : std::optional(severity);
+  });
 }
 
 // Whether the picture depends on the default of transparentcoeff.
@@ -88,6 +101,9 @@ void load_written(LoadedScene& scene, const FetchFile& fetch, const LoadSettings
   if (settings.depth != LoadDepth::prepared) {
     enter(settings, "loading textures and meshes");
     load_files(scene, fetch, settings);
+    if (has_emissive_faces(scene.assets)) {
+      drop(scene_no_light, scene.diagnostics);
+    }
   }
 }
 
@@ -112,15 +128,19 @@ void check_picture(LoadedScene& scene, const RenderOptions& options) {
   question.shadows =
       options.mode == Mode::path || (options.mode == Mode::ray && options.features.shadows);
   ask(scene, question);
+  if (lit_by_faces_only(scene) && (options.mode == Mode::ray || options.mode == Mode::intersect)) {
+    scene.diagnostics.report(
+        scene_no_light, {},
+        "the scene has no light but the faces of meshes that emit light (Ke in their .mtl file), "
+        "which only --mode path draws");
+  }
   if (dark_in_caster(options, scene.ready.scene)) {
     scene.diagnostics.report(
         render_no_directional_light, {},
         "the scene has no directional light, and the course's ray caster uses no other");
   }
   if (!guesses_transparency(options)) {
-    scene.diagnostics.rewrite([](const Code& code, Severity severity) {
-      return &code == &global_transparent_default ? std::nullopt : std::optional(severity);
-    });
+    drop(global_transparent_default, scene.diagnostics);
   }
 }
 

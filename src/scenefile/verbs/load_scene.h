@@ -25,6 +25,7 @@ struct LoadSettings {
   LoadDepth depth = LoadDepth::with_all_assets;
   bool compat_course = false;  ///< read like the course's programs (ReadOptions)
   bool allow_missing = false;  ///< a mesh that cannot be used is a warning
+  bool materials = false;      ///< read the materials of mesh faces even if the scene has lights
   Limits limits;
   ForEach for_each = {};  ///< for decoding textures; empty: sequentially
   /// Called at the start of each phase, such as "reading the scene", with a static text.

@@ -1,0 +1,157 @@
+// Scenes of the assignment Path: no lights, but faces of meshes that emit light.
+
+#include "app/run_program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace scenefile {
+
+namespace {
+
+using namespace testing_support;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr std::string_view box =
+    "mtllib box.mtl\n"
+    "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv -1 -1 1\nv 1 -1 1\nvt 0 0\nvt 1 0\nvt 1 1\n"
+    "usemtl wall\nf 1/1 2/2 3/3 4/1\n"
+    "usemtl lamp\nf 2 1 5 6\n";
+constexpr std::string_view library =
+    "newmtl lamp\nKe 17 12 4\nKd 0.5 0.5 0.5\n"
+    "newmtl wall\nKd 0.25 0.5 0.75\nmap_Kd wood.png\nNs 10\nillum 2\n";
+
+struct PathScene : ::testing::Test {
+  TempFolder folder;
+
+  PathScene() {
+    folder.write("scenes/models/box.obj", std::string(box));
+    folder.write("scenes/models/box.mtl", std::string(library));
+    std::filesystem::copy(std::filesystem::path(SCENEFILE_FIXTURES) / "codes/image/rgb.png",
+                          folder.path("scenes/models/wood.png"));
+  }
+
+  // A scene with the mesh, and with `lights`.
+  std::string scene(const std::string& lights = "") const {
+    return folder.write(
+        "scenes/s.xml",
+        R"(<scenefile><cameradata><pos x="0" y="0" z="5"/><look x="0" y="0" z="-1"/>)"
+        R"(<up x="0" y="1" z="0"/><heightangle v="40"/></cameradata>)" +
+            lights +
+            R"(<object type="tree" name="root"><transblock><object type="primitive" name="mesh" )"
+            R"(filename="models/box.obj"/></transblock></object></scenefile>)");
+  }
+};
+
+const std::string point_light =
+    R"(<lightdata><id v="0"/><type v="point"/><color r="1" g="1" b="1"/>)"
+    R"(<position x="0" y="0" z="5"/><function v1="1" v2="0" v3="0"/></lightdata>)";
+
+TEST_F(PathScene, HasNoFindings) {
+  const ProgramRun run = run_program({"check", scene()});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.out, "");
+}
+
+TEST_F(PathScene, WithoutEmissionItHasNoLight) {
+  folder.write("scenes/models/box.mtl", "newmtl lamp\nnewmtl wall\n");
+  EXPECT_THAT(run_program({"check", scene()}).out, HasSubstr("[scene.no-light]"));
+}
+
+TEST_F(PathScene, FindingsHaveThePlaceInTheLibrary) {
+  folder.write("scenes/models/box.mtl", "newmtl lamp\nKe 17 x 4\nnewmtl wall\nKd 1 1 1\nKs 1 1 1\n");
+  const ProgramRun run = run_program({"check", scene()});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_THAT(run.out, HasSubstr("models/box.mtl:2:7: warning: \"x\" in Ke is not a number"));
+  EXPECT_THAT(run.out, HasSubstr("models/box.mtl:3:1: note: Kd + Ks of the material \"wall\" is 2"));
+  EXPECT_THAT(run.out, Not(HasSubstr("Ke 17 x 4"))) << "contents of other files are not shown";
+  const rapidjson::Document sarif = parse_json(run_program({"check", "--sarif", scene()}).out);
+  const auto& result = sarif["runs"][0]["results"][0];
+  EXPECT_THAT(
+      result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"].GetString(),
+      HasSubstr("scenes/models/box.mtl"));
+}
+
+TEST_F(PathScene, WithLightsMaterialsAreNotRead) {
+  folder.write("scenes/models/box.mtl", "nonsense");
+  const std::string path = scene(point_light);
+  EXPECT_EQ(run_program({"check", path}).out, "");
+  EXPECT_THAT(run_program({"info", "--files", path}).out, Not(HasSubstr("box.mtl")));
+}
+
+TEST_F(PathScene, InfoListsMaterials) {
+  const ProgramRun run = run_program({"info", "--files", scene()});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.err, "");
+  EXPECT_THAT(run.out, HasSubstr("  face materials of models/box.obj\n"
+                                 "    wall: 2 triangles, Kd 0.25 0.5 0.75, Ns 10, Ni 1, illum 2\n"
+                                 "    lamp: 2 triangles, Ke 17 12 4, Kd 0.5 0.5 0.5, Ns 1, Ni 1, "
+                                 "illum 0\n"));
+  EXPECT_THAT(run.out, HasSubstr("textures    1\n"));
+  EXPECT_THAT(run.out, HasSubstr("library \"models/box.mtl\" (line 1 of models/box.obj): next to "
+                                 "the scene: " +
+                                 folder.path("scenes/models/box.mtl")));
+  EXPECT_THAT(run.out, HasSubstr("texture \"models/wood.png\" (line 6 of models/box.mtl): "));
+}
+
+TEST_F(PathScene, InfoListsMaterialsInJson) {
+  const rapidjson::Document info = parse_json(run_program({"info", "--json", scene()}).out);
+  ASSERT_EQ(info["face_materials"].Size(), 2u);
+  const auto& lamp = info["face_materials"][1];
+  EXPECT_STREQ(lamp["mesh"].GetString(), "models/box.obj");
+  EXPECT_STREQ(lamp["name"].GetString(), "lamp");
+  EXPECT_STREQ(lamp["file"].GetString(), "models/box.mtl");
+  EXPECT_EQ(lamp["line"].GetInt(), 1);
+  EXPECT_EQ(lamp["triangles"].GetInt(), 2);
+  EXPECT_EQ(lamp["emission"][0].GetDouble(), 17);
+  ASSERT_EQ(info["files"].Size(), 3u);
+  EXPECT_STREQ(info["files"][1]["kind"].GetString(), "library");
+  EXPECT_STREQ(info["files"][1]["file"].GetString(), "models/box.obj");
+  EXPECT_TRUE(info["files"][2]["found"].GetBool());
+}
+
+TEST_F(PathScene, OtherModesSayThatTheyDoNotDrawItsLight) {
+  const std::string path = scene();
+  const ProgramRun run =
+      run_program({"render", path, "--size", "4x4", "-o", folder.path("out.png")});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_THAT(run.err, HasSubstr("which only --mode path draws [scene.no-light]"));
+  EXPECT_THAT(run_program({"render", path, "--mode", "normals", "--size", "4x4", "-o",
+                           folder.path("out.png")})
+                  .err,
+              Not(HasSubstr("scene.no-light")));
+}
+
+TEST_F(PathScene, LibrariesOutsideTheRootsAreNotRead) {
+  folder.write("secret.mtl", std::string(library));
+  std::string mesh(box);
+  mesh.replace(mesh.find("box.mtl"), 7, "../../secret.mtl");
+  folder.write("scenes/models/box.obj", mesh);
+  const ProgramRun run = run_program({"check", scene()});
+  EXPECT_THAT(run.out, HasSubstr("models/box.obj:1:8: warning: the material library "
+                                 "\"../../secret.mtl\": no such file"));
+  EXPECT_THAT(run.out, HasSubstr("[mtl.missing]"));
+  EXPECT_EQ(run_program({"check", scene(), "--allow-outside"}).out, "");
+}
+
+// The case of folders and absolute paths do not matter, as for textures and meshes.
+TEST_F(PathScene, LibrariesAreFoundByTheRulesOfAssets) {
+  for (const std::string name : {"Box.MTL", "C:\\Users\\me\\models\\box.mtl", "/course/box.mtl"}) {
+    std::string mesh(box);
+    mesh.replace(mesh.find("box.mtl"), 7, name);
+    folder.write("scenes/models/box.obj", mesh);
+    EXPECT_EQ(run_program({"check", scene()}).out, "") << name;
+  }
+}
+
+TEST_F(PathScene, ConvertsWithItsFiles) {
+  const std::string path = scene();
+  const ProgramRun run = run_program({"convert", path, folder.path("scenes/s.json")});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run_program({"check", folder.path("scenes/s.json")}).out, "");
+}
+
+}  // namespace
+
+}  // namespace scenefile

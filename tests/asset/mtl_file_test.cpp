@@ -85,6 +85,7 @@ TEST(ReadMtl, NamesOfMapsFollowTheirOptions) {
       {"-s 1 1 1.png", "1.png"},
       {"-blendu on -blendv off -mm 0 1 -bm 1 -texres 512 -imfchan m a.png", "a.png"},
       {"-a.png", "-a.png"},
+      {"-s 1 1 1 \"a b.png\"", "a b.png"},
   };
   for (const auto& [text, name] : cases) {
     const ReadMtl r = read("newmtl m\nmap_Kd " + text + "\n");

@@ -269,7 +269,11 @@ class MtlReader {
              fmt::format("{} needs the name of a file", keyword));
       return;
     }
-    map = {std::string(words_.rest(word)), words_.location(word)};
+    std::string_view name = words_.rest(word);
+    if (name.size() > 2 && name.front() == '"' && name.back() == '"') {
+      name = name.substr(1, name.size() - 2);
+    }
+    map = {std::string(name), words_.location(word)};
   }
 
   static const MapOption* option_of(std::string_view word) {

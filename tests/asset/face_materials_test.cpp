@@ -4,6 +4,7 @@
 #include "scenefile/asset/codes.h"
 #include "scenefile/asset/load_assets.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -236,7 +237,7 @@ TEST(FaceMaterials, CountTowardTheLimitOfMeshes) {
   std::vector<std::string> names;
   std::string library;
   for (int i = 0; i < 50; ++i) {
-    names.push_back("m" + std::to_string(i));
+    names.push_back(fmt::format("m{}", i));
     library += "newmtl " + names.back() + "\n";
   }
   const Files files{{"a.obj", mesh_of("mtllib a.mtl\n", names)}, {"a.mtl", library}};

@@ -8,10 +8,15 @@
 #include "scenefile/io/interrupt.h"
 #include "scenefile/verbs/grade_class.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <array>
 #include <cctype>
+#include <charconv>
+#include <cstdint>
+#include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -23,7 +28,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view title = "Ray tracer grades";
+// What all pages of a class have in common.
+struct Heading {
+  std::string title;
+  std::string date;
+};
+
+// The date of today, or in UTC of SOURCE_DATE_EPOCH (reproducible-builds.org), if that is set.
+std::string date_of_report() {
+  std::string digits;
+  if (const char* const given = std::getenv("SOURCE_DATE_EPOCH")) {
+    digits = given;
+  }
+  std::int64_t seconds = 0;
+  const char* const end = digits.data() + digits.size();
+  const auto [stop, error] = std::from_chars(digits.data(), end, seconds);
+  constexpr std::int64_t year_10000 = 253402300800;
+  if (error == std::errc() && stop == end && seconds >= 0 && seconds < year_10000) {
+    return fmt::format("{:%Y-%m-%d}", fmt::gmtime(static_cast<std::time_t>(seconds)));
+  }
+  return fmt::format("{:%Y-%m-%d}", fmt::localtime(std::time(nullptr)));
+}
 
 // Lines may contain file names.
 std::string safe_lines(const std::string& text) {
@@ -109,14 +134,15 @@ class PageNames {
   std::set<std::string> used_;
 };
 
-Result<void> write_pages(const std::string& folder, const Gradebook& book, NewFiles& files) {
+Result<void> write_pages(const std::string& folder, const Gradebook& book, const Heading& heading,
+                         NewFiles& files) {
   if (const Result<void> made = files.make_folder(folder); !made) {
     return made;
   }
   PageNames names;
   for (const StudentResult& student : book.students) {
-    const Result<void> written =
-        files.write(fs::path(folder) / names.name_of(student.name), student_html(student, title));
+    const Result<void> written = files.write(fs::path(folder) / names.name_of(student.name),
+                                             student_html(student, heading.title, heading.date));
     if (!written) {
       return written;
     }
@@ -166,10 +192,14 @@ Result<void> write_pictures(const std::string& report, Gradebook& book, NewFiles
 
 Result<void> write_all(const Options& options, Gradebook& book) {
   const DeferredSignals deferred;
+  const Heading heading{!options.title.empty() ? options.title
+                        : !book.name.empty()   ? book.name
+                                               : "Grades",
+                        date_of_report()};
   NewFiles files;
   Result<void> done;
   if (!options.pages.empty()) {
-    done = write_pages(options.pages, book, files);
+    done = write_pages(options.pages, book, heading, files);
   }
   if (done && !options.report.empty()) {
     done = write_pictures(options.report, book, files);
@@ -179,7 +209,7 @@ Result<void> write_all(const Options& options, Gradebook& book) {
       done = files.write(path, text());
     }
   };
-  write(options.report, [&] { return gradebook_html(book, title); });
+  write(options.report, [&] { return gradebook_html(book, heading.title, heading.date); });
   write(options.junit, [&] { return gradebook_junit(book); });
   write(options.csv, [&] { return gradebook_csv(book); });
   write(options.csv_students, [&] { return students_csv(book); });

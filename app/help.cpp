@@ -46,12 +46,12 @@ const std::vector<Heading>& headings() {
       {"Input", {"--compat", "--asset-root", "--allow-outside", "--allow-missing", "--no-assets"}},
       {"Findings", {"--strict", "--deny", "--allow"}},
       {"Limits", {"--threads", "--limit", "--max-memory", "--timeout"}},
-      {"Output",
-       {"--output",    "--to",      "--part",         "--missing",    "--write-scenes", "--video",
-        "--overwrite", "--preview", "--checkpoint",   "--heatmap",    "--sheet",        "--report",
-        "--pages",     "--csv",     "--csv-students", "--junit",      "--gradescope",   "--check",
-        "--files",     "--tree",    "--man",          "--completion", "--json",         "--sarif",
-        "--markdown",  "--quiet",   "--help"}},
+      {"Output", {"--output",       "--to",        "--part",       "--missing",    "--write-scenes",
+                  "--video",        "--overwrite", "--preview",    "--checkpoint", "--heatmap",
+                  "--sheet",        "--report",    "--pages",      "--title",      "--csv",
+                  "--csv-students", "--junit",     "--gradescope", "--check",      "--files",
+                  "--tree",         "--man",       "--completion", "--json",       "--sarif",
+                  "--markdown",     "--quiet",     "--help"}},
       {"Other", {}},
   };
   return all;

@@ -224,7 +224,7 @@ Outcome check_kind(const Options& options, const Parts& parts) {
                          "--gradescope instead of -o"};
   }
   for (const std::string_view name :
-       {"--report", "--csv", "--csv-students", "--junit", "--pages", "--gradescope"}) {
+       {"--report", "--title", "--csv", "--csv-students", "--junit", "--pages", "--gradescope"}) {
     if (was_given(options, name)) {
       return {ExitCode::usage,
               fmt::format("{} is for parts of a class, which grade --part writes", name)};

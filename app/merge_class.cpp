@@ -23,6 +23,7 @@ ExitCode merge_class(const Options& options, const SortedParts& set,
       say_error(part->damage);
       return ExitCode::findings;
     }
+    book.name = book.name.empty() ? part->book.name : book.name;
     for (StudentResult& student : part->book.students) {
       for (PictureResult& picture : student.pictures) {
         if (options.report.empty() && options.pages.empty()) {

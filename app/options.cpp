@@ -302,7 +302,7 @@ std::string check_grade(const Options& options) {
                : "-o is for --part; the results go to --report, --csv, --junit or --pages";
   }
   for (const std::string_view name :
-       {"--report", "--pages", "--csv", "--csv-students", "--junit", "--gradescope"}) {
+       {"--report", "--pages", "--title", "--csv", "--csv-students", "--junit", "--gradescope"}) {
     if (options.part.has_value() && was_given(options, name)) {
       return fmt::format("{} is for the whole class: give it to merge", name);
     }
@@ -333,6 +333,9 @@ std::string check_together(const Command& command, Options& options) {
     if (std::string wrong = check_pixel(options); !wrong.empty()) {
       return wrong;
     }
+  }
+  if (!options.title.empty() && options.report.empty() && options.pages.empty()) {
+    return "--title is for --report and --pages";
   }
   if (std::string wrong = check_support(options); !wrong.empty()) {
     return wrong;

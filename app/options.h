@@ -89,6 +89,7 @@ struct Options {
   std::string references;
   std::string scenes;
   std::string report;
+  std::string title;  ///< of the report; empty: the name of the class's folder
   std::string junit;
   std::string csv;
   std::string csv_students;

@@ -173,6 +173,8 @@ void bind_gradebook(py::module_& m) {
                              [](const PictureResult& r) { return r.verdict == Verdict::passed; })
       .def_property_readonly("reasons", [](const PictureResult& r) { return tuple_of(r.reasons); })
       .def_property_readonly("causes", [](const PictureResult& r) { return tuple_of(r.causes); })
+      .def_property_readonly("rivals", [](const PictureResult& r) { return tuple_of(r.rivals); })
+      .def_property_readonly("partial", [](const PictureResult& r) { return tuple_of(r.partial); })
       .def_property_readonly("notes", [](const PictureResult& r) { return tuple_of(r.notes); })
       .def("_repr_png_",
            [](const PictureResult& r) -> py::object {
@@ -204,14 +206,20 @@ void bind_gradebook(py::module_& m) {
       .def_property_readonly("students", [](const Gradebook& b) { return tuple_of(b.students); })
       .def_property_readonly("ignored", [](const Gradebook& b) { return tuple_of(b.ignored); })
       .def_property_readonly("passed", &Gradebook::all_passed)
-      .def("html", &gradebook_html, "The report as one self-contained HTML page.",
-           py::arg("title") = "Ray tracer grades")
+      .def(
+          "html",
+          [](const Gradebook& b, std::string_view title, std::string_view date) {
+            return gradebook_html(b, title.empty() ? std::string_view(b.name) : title, date);
+          },
+          "The report as one self-contained HTML page; its title is the name of the class's folder "
+          "if none is given.",
+          py::arg("title") = "", py::arg("date") = "")
       .def("junit", &gradebook_junit)
       .def_property_readonly("data",
                              [](const Gradebook& b) {
                                return py::module_::import("json").attr("loads")(gradebook_json(b));
                              })
-      .def("_repr_html_", [](const Gradebook& b) { return gradebook_html(b, "Grades"); })
+      .def("_repr_html_", [](const Gradebook& b) { return gradebook_html(b, b.name); })
       .def("__str__", &gradebook_text)
       .def("__repr__", [](const Gradebook& b) {
         return fmt::format("<Gradebook of {} students>", b.students.size());

@@ -676,6 +676,26 @@ TEST_F(Grade, NothingRemainsIfAFileCannotBeWritten) {
   EXPECT_FALSE(std::filesystem::exists(folder.path("new")));
 }
 
+TEST_F(Grade, TheReportHasATitleAndADate) {
+  make_folders({"right", "class/anna"});
+  folder.write("right/ball.png", folder.read("right.png"));
+  folder.write("class/anna/ball.png", folder.read("right.png"));
+  const Words words{"grade", "class/", "--references", "right"};
+  const auto report = [&](const Words& more) {
+    EXPECT_EQ(run_program(words + Words{"--report", "r.html", "--pages", "pages"} + more,
+                          {.environment = {"SOURCE_DATE_EPOCH=86400"}, .folder = folder.path()})
+                  .err,
+              "");
+    return folder.read("r.html") + folder.read("pages/anna.html");
+  };
+  const std::string first = report({});
+  EXPECT_THAT(first, AllOf(HasSubstr("<title>class</title>"), HasSubstr("Graded on 1970-01-02")));
+  EXPECT_EQ(report({}), first);
+  EXPECT_THAT(report({"--title", "A <b>"}),
+              AllOf(HasSubstr("<title>A &lt;b&gt;</title>"), Not(HasSubstr("<title>class"))));
+  EXPECT_EQ(in_folder(words + Words{"--title", "A"}).status, 2);
+}
+
 TEST_F(Grade, PicturesNextToFoldersAreOfOneStudent) {
   make_folders({"right", "mine/old"});
   folder.write("right/ball.png", folder.read("right.png"));

@@ -58,16 +58,21 @@ TEST(Sheet, ReducedPicturesAreAverages) {
   EXPECT_EQ(half.texel(2, 1)[2], 7);
 }
 
-TEST(Sheet, PicturesAreAlignedAtTheTop) {
+TEST(Sheet, PicturesAreInColumnsOfEqualWidth) {
   const Texture a = blank(3, 2, {1, 2, 3});
   const Texture b = blank(4, 5, {7, 8, 9});
   const std::array<const Texture*, 2> both{&a, &b};
   const Texture sheet = side_by_side(both);
-  EXPECT_EQ(sheet.width, 8 + 3 + 8 + 4 + 8);
+  EXPECT_EQ(sheet.width, 8 + 4 + 8 + 4 + 8);
   EXPECT_EQ(sheet.height, 8 + 5 + 8);
   EXPECT_EQ(sheet.texel(8, 8)[2], 3);
-  EXPECT_EQ(sheet.texel(19, 8)[2], 9);
+  EXPECT_EQ(sheet.texel(11, 8)[2], 96);
+  EXPECT_EQ(sheet.texel(20, 8)[2], 9);
   EXPECT_EQ(sheet.texel(0, 0)[0], 96);
+  const Texture strip = side_by_side(both, 0);
+  EXPECT_EQ(strip.width, 4 + 4);
+  EXPECT_EQ(strip.height, 5);
+  EXPECT_EQ(strip.texel(4, 0)[0], 7);
 }
 
 }  // namespace

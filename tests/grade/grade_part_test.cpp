@@ -29,12 +29,16 @@ Gradebook book() {
   failed.measures.same_size = false;
   failed.reasons = {"", "two"};
   failed.causes = {{Cause::samples, "what", "evidence", 0.7, true}};
+  failed.rivals = {{Cause::gamma, "rival", "e", 0.6, false}};
+  failed.partial = {{Cause::normals, "part", "f", 0.5, false}};
   failed.notes = {"a note"};
   failed.png = "png";
   failed.png_file = "file";
   failed.fingerprint = 77;
   failed.identical = "anna, ben";
-  return {{{"anna", {passed, failed}}, {"", {}}}, {{"a.zip", "anna", "damaged"}, {"b", "", "c"}}};
+  return {{{"anna", {passed, failed}}, {"", {}}},
+          {{"a.zip", "anna", "damaged"}, {"b", "", "c"}},
+          "fall"};
 }
 
 TEST(GradePart, RoundTrips) {
@@ -47,11 +51,14 @@ TEST(GradePart, RoundTrips) {
   EXPECT_EQ(encode_grade_part(found, read), bytes);
   EXPECT_EQ(gradebook_csv(read), gradebook_csv(book()));
   EXPECT_EQ(read.ignored, book().ignored);
+  EXPECT_EQ(read.name, "fall");
   const PictureResult& picture = read.students[0].pictures[1];
   EXPECT_EQ(picture.verdict, Verdict::unreadable);
   EXPECT_EQ(picture.causes.at(0).cause, Cause::samples);
   EXPECT_EQ(picture.causes.at(0).explained, 0.7);
   EXPECT_TRUE(picture.causes.at(0).said);
+  EXPECT_EQ(picture.rivals.at(0).what, "rival");
+  EXPECT_EQ(picture.partial.at(0).what, "part");
   EXPECT_EQ(picture.png_file, "file");
   EXPECT_EQ(picture.fingerprint, 77U);
   EXPECT_EQ(picture.identical, "anna, ben");

@@ -1,6 +1,8 @@
 #include "scenefile/grade/gradebook.h"
 
 #include "scenefile/base/base64.h"
+#include "scenefile/grade/cause_help.h"
+#include "scenefile/grade/claims.h"
 #include "scenefile/grade/markup.h"
 
 #include <gmock/gmock.h>
@@ -104,35 +106,118 @@ TEST(Gradebook, NamesCannotForgeLines) {
 }
 
 TEST(Gradebook, HtmlIsSelfContainedAndEscaped) {
-  const std::string html = gradebook_html(two_students(), "Ray <1>");
+  const std::string html = gradebook_html(two_students(), "Ray <1>", "2026-11-24");
   EXPECT_THAT(html, AllOf(HasSubstr("<title>Ray &lt;1&gt;</title>"), HasSubstr("ben &amp; co"),
                           HasSubstr("a&lt;b"), HasSubstr("data:image/png;base64,UE5H"),
-                          HasSubstr("there are no shadows"), HasSubstr("href=\"#p1-1\""),
-                          HasSubstr("id=\"p1-1\"")));
+                          HasSubstr("Graded on 2026-11-24"), HasSubstr("href=#p1-1"),
+                          HasSubstr("id=p1-1")));
   EXPECT_THAT(html, AllOf(Not(HasSubstr("http")), Not(HasSubstr("a<b"))));
   // The page contains only its own script, which follows all text from students.
   EXPECT_EQ(html.find("<script"), html.rfind("<script"));
   EXPECT_GT(html.find("<script"), html.find("</main>"));
+  EXPECT_THAT(gradebook_html(two_students(), "t"), Not(HasSubstr("Graded on")));
 }
 
 TEST(Gradebook, NamesCannotInjectScripts) {
   Gradebook book = two_students();
   book.students[1].name = "<script>alert(1)</script>";
-  book.students[1].pictures[1].name = "\"><img src=x onerror=alert(1)>";
-  const std::string html = gradebook_html(book, "t");
-  EXPECT_EQ(html.find("<script"), html.rfind("<script"));
-  EXPECT_THAT(html, Not(HasSubstr("<img src=x")));
-  EXPECT_THAT(student_html(book.students[1], "t"), Not(HasSubstr("<script")));
+  PictureResult& picture = book.students[1].pictures[1];
+  picture.name = "\"'><img src=x onerror=alert(1)>";
+  picture.png_file = "javascript:\"'#?%<b>/1.png";
+  picture.reasons = {"<script>reason"};
+  picture.causes[0].what = "\" onmouseover=\"<script>";
+  picture.causes[0].evidence = "<script>";
+  picture.rivals = picture.partial = picture.causes;
+  book.students[1].unmatched = {"<script>.png"};
+  book.students[0].pictures[0].name = picture.name;
+  for (const std::string& html : {gradebook_html(book, "</title><script>", "<script>"),
+                                  student_html(book.students[1], "t")}) {
+    EXPECT_EQ(html.find("<script"), html.rfind("<script"));
+    EXPECT_THAT(html, AllOf(Not(HasSubstr("<img src=x")), Not(HasSubstr("\" onmouseover"))));
+    EXPECT_THAT(html, HasSubstr("src=\"javascript%3A%22%27%23%3F%25%3Cb%3E/1.png\""));
+    EXPECT_THAT(html, HasSubstr("<bdi>&lt;script&gt;alert(1)&lt;/script&gt;</bdi>"));
+  }
 }
 
 TEST(Gradebook, PicturesMayBeSeparateFiles) {
   Gradebook book = two_students();
   book.students[1].pictures[1].png.clear();
-  book.students[1].pictures[1].png_file = "report-pictures/2-2.png";
+  book.students[1].pictures[1].png_file = "my report-pictures/2-2.png";
   const std::string html = gradebook_html(book, "t");
-  EXPECT_THAT(html, HasSubstr("<img loading=\"lazy\" alt=\"reference, picture and difference of "
-                              "a&lt;b\" src=\"report-pictures/2-2.png\">"));
+  EXPECT_THAT(html, HasSubstr("<img loading=lazy alt=\"Enlarge a&lt;b\" "
+                              "src=\"my%20report-pictures/2-2.png\">"));
   EXPECT_THAT(html, Not(HasSubstr("base64")));
+}
+
+TEST(Gradebook, PicturesThatPassedAreSmall) {
+  Gradebook book = two_students();
+  PictureResult& picture = book.students[0].pictures[1];
+  picture.png = "PNG";
+  picture.measures.right_size = {400, 200};
+  for (const std::string& html : {gradebook_html(book, "t"), student_html(book.students[0], "t")}) {
+    EXPECT_THAT(html, HasSubstr("<img loading=lazy alt=\"\" width=96 height=48 "
+                                "src=\"data:image/png;base64,UE5H\"><bdi>ball"));
+  }
+}
+
+// 150 students with 31 pictures, two of five of which differ, as in tests/student/class.py.
+TEST(Gradebook, TheReportOfALargeClassIsSmall) {
+  Gradebook book;
+  for (int s = 0; s < 150; ++s) {
+    StudentResult& student = book.students.emplace_back();
+    student.name = "student-" + std::to_string(s);
+    for (int p = 0; p < 31; ++p) {
+      PictureResult& picture = student.pictures.emplace_back();
+      picture.name = "recursive-spheres-" + std::to_string(p);
+      picture.png_file = "report-pictures/" + std::to_string(s) + "-" + std::to_string(p) + ".png";
+      if ((s + p) % 5 < 2) {
+        picture.verdict = Verdict::differs;
+        picture.reasons = {"PSNR is 31.20 dB, less than 40"};
+        picture.causes = {{static_cast<Cause>((s + p) % 3 + 6), "the term is missing everywhere",
+                           evidence_of_one(0.1, 2, 1), 0.99}};
+      }
+    }
+  }
+  EXPECT_LT(gradebook_html(book, "t").size(), 2'000'000U);
+}
+
+TEST(Gradebook, MistakesAreSentencesWithAPlaceToLook) {
+  Gradebook book = two_students();
+  const std::string sentence = "<b>There are no shadows</b> <code>shadows</code>";
+  const std::string look = "<b>Where to look:</b> " + markup(help_of(Cause::shadows).where);
+  for (const std::string& html : {gradebook_html(book, "t"), student_html(book.students[1], "t")}) {
+    EXPECT_THAT(html, AllOf(HasSubstr("<p>" + sentence), HasSubstr(look), HasSubstr("because")));
+    EXPECT_THAT(html, AllOf(Not(HasSubstr("In part")), Not(HasSubstr("Or: "))));
+  }
+  // What is not certain says so.
+  PictureResult& picture = book.students[1].pictures[1];
+  picture.partial.swap(picture.causes);
+  picture.rivals = {picture.partial[0]};
+  picture.rivals[0].what = "u is mirrored";
+  const std::string html = student_html(book.students[1], "t");
+  EXPECT_THAT(html, AllOf(HasSubstr("<p>In part: " + sentence), HasSubstr(look),
+                          HasSubstr("something else is wrong, too"),
+                          HasSubstr("In part: there are no shadows</span> <code>shadows"),
+                          HasSubstr("Or: u is mirrored</span> <code>shadows")));
+  EXPECT_THAT(html, Not(HasSubstr("<p>" + sentence)));
+}
+
+// Only what gives all pictures of the student remains beside the likeliest.
+TEST(Gradebook, AlternativesThatDoNotFitAllPicturesAreLeftOut) {
+  Gradebook book = two_students();
+  std::vector<PictureResult>& pictures = book.students[1].pictures;
+  pictures[0] = pictures[1];
+  pictures[0].name = "cube";
+  pictures[0].causes[0].what =
+      "no shadows; or rays too long; or no lights: these give the same picture";
+  pictures[1].causes[0].what = "no shadows; or no lights; or no cubes: these give the same picture";
+  const std::string html = student_html(book.students[1], "t");
+  EXPECT_THAT(html, HasSubstr("<b>No shadows</b> <code>shadows</code><br>or no lights<br>"));
+  EXPECT_THAT(html, HasSubstr("These give the same picture:</span> <a href=#p0-0>cube"));
+  EXPECT_THAT(html, HasSubstr("No shadows; or rays too long; or no lights: these give"));
+  EXPECT_THAT(gradebook_html(book, "t"), HasSubstr("No shadows, or another mistake <small>"));
+  pictures[1].causes[0].what = "no shadows";
+  EXPECT_THAT(gradebook_html(book, "t"), HasSubstr("<span>No shadows <small>· 2 pictures"));
 }
 
 TEST(Gradebook, CausesAreCountedForAStudentAndTheClass) {
@@ -144,25 +229,37 @@ TEST(Gradebook, CausesAreCountedForAStudentAndTheClass) {
   EXPECT_EQ(counts[0].cause, Cause::shadows);
   EXPECT_EQ(counts[0].pictures, 2u);
   EXPECT_EQ(counts[0].students, 1u);
-  const std::string html = gradebook_html(book, "t");
-  EXPECT_THAT(html, AllOf(HasSubstr("shadows in 2 of 2"),
-                          HasSubstr("shadows: 1 of 2 students, 2 pictures")));
-  EXPECT_THAT(student_html(book.students[1], "t"), HasSubstr("shadows in 2 of 2"));
+  EXPECT_THAT(
+      gradebook_html(book, "t"),
+      AllOf(HasSubstr("<span>There are no shadows <small>· 2 pictures</small></span>"),
+            Not(HasSubstr("Most common mistake")),
+            HasSubstr("<b>Shadows</b> <code>shadows</code> <span class=\"dim\">1 of 2 students, 2 "
+                      "pictures</span>"),
+            HasSubstr("In</span> <a href=#p1-0>ball</a>, <a href=#p1-1>")));
+}
+
+TEST(Gradebook, TheSummaryCountsStudentsAndPictures) {
+  EXPECT_THAT(gradebook_html(two_students(), "t"),
+              AllOf(HasSubstr("<b>1 of 2 students</b> passed everything; <b>1</b> needs"),
+                    HasSubstr("<b class=\"missing\">– 1</b> missing")));
+  EXPECT_THAT(gradebook_html({{two_students().students[0]}}, "t"),
+              AllOf(HasSubstr("<b>1 of 1 student</b> passed everything."),
+                    Not(HasSubstr("href=\"#attention\""))));
+  EXPECT_THAT(gradebook_html({}, "t"), HasSubstr("<b>0 of 0 students</b>"));
+  EXPECT_THAT(student_html(two_students().students[0], "t"),
+              HasSubstr("<b>2 of 2 pictures</b> passed"));
+}
+
+TEST(Gradebook, AMistakeOfSeveralStudentsIsTheMostCommon) {
+  Gradebook book = two_students();
+  book.students.push_back(book.students[1]);
+  EXPECT_THAT(gradebook_html(book, "t"), HasSubstr("Most common mistake: Shadows (2 students)."));
 }
 
 TEST(Gradebook, MissingPicturesHaveNoCause) {
-  const std::string html = gradebook_html(two_students(), "t");
-  EXPECT_THAT(html, AllOf(HasSubstr("shadows in 1 of 1"), HasSubstr("</span>: 1 picture</h3>"),
-                          HasSubstr("<span id=\"p1-0\">ball</span>")));
-}
-
-TEST(Gradebook, APictureOfAnotherSizeSaysSo) {
-  Gradebook book = two_students();
-  PictureResult& picture = book.students[1].pictures[1];
-  picture.causes.clear();
-  picture.measures.size = {800, 600};
-  picture.measures.right_size = {1024, 768};
-  EXPECT_THAT(gradebook_html(book, "t"), HasSubstr("<a href=\"#p1-1\">size</a>"));
+  EXPECT_THAT(gradebook_html(two_students(), "t"),
+              AllOf(HasSubstr("– 1 picture missing"), HasSubstr("<bdi id=\"p1-0\">ball</bdi>"),
+                    HasSubstr("aria-label=\"missing: there is no such picture\"")));
 }
 
 TEST(Gradebook, NotesStandBesideResultsButAreNoMistakes) {
@@ -229,7 +326,12 @@ TEST(Gradebook, Base64) {
 }
 
 TEST(Gradebook, MarkupContainsOnlyValidXmlCharacters) {
-  EXPECT_EQ(markup("a&\"\x01\n"), "a&amp;&quot;?\n");
+  EXPECT_EQ(markup("a&\"'\x01\n"), "a&amp;&quot;&#39;?\n");
+}
+
+TEST(Gradebook, LinksContainOnlyPlainCharacters) {
+  EXPECT_EQ(link_to("a b-1/x_2.png"), "a%20b-1/x_2.png");
+  EXPECT_EQ(link_to("java:\xC3\xA9#?%&\"'<"), "java%3A%C3%A9%23%3F%25%26%22%27%3C");
 }
 
 }  // namespace

@@ -11,7 +11,6 @@ namespace scenefile {
 
 namespace {
 
-constexpr int gap = 8;
 constexpr std::uint8_t gray = 96;
 
 Texture blank(int width, int height, std::uint8_t value) {
@@ -150,21 +149,22 @@ Texture scaled(const Texture& picture, int width, int height) {
   return result;
 }
 
-Texture side_by_side(std::span<const Texture* const> pictures) {
-  int width = gap;
+Texture side_by_side(std::span<const Texture* const> pictures, int gap) {
+  int width = 0;
   int height = 0;
   for (const Texture* picture : pictures) {
-    width += picture->width + gap;
+    width = std::max(width, picture->width);
     height = std::max(height, picture->height);
   }
-  Texture sheet = blank(width, height + 2 * gap, gray);
+  const int columns = static_cast<int>(pictures.size());
+  Texture sheet = blank(columns * (width + gap) + gap, height + 2 * gap, gray);
   int left = gap;
   for (const Texture* picture : pictures) {
     for (int y = 0; y < picture->height; ++y) {
       const std::uint8_t* row = picture->texel(0, y);
       std::copy(row, row + std::size_t{3} * picture->width, texel(sheet, left, gap + y));
     }
-    left += picture->width + gap;
+    left += width + gap;
   }
   return sheet;
 }

@@ -26,7 +26,8 @@ Texture reduced(const Texture& picture, int width);
 /// The picture in another size: each new pixel is the mean of what it covers.
 Texture scaled(const Texture& picture, int width, int height);
 
-/// Pictures side by side, aligned at the top, on gray with gaps of 8 pixels.
-Texture side_by_side(std::span<const Texture* const> pictures);
+/// Pictures side by side on gray, with gaps of that many pixels between and around them: in columns
+/// as wide as the widest picture, aligned at their upper left corners.
+Texture side_by_side(std::span<const Texture* const> pictures, int gap = 8);
 
 }  // namespace scenefile

@@ -50,10 +50,10 @@ void visit(T& claim, Archive& archive) {
 
 template <ConstOrNot<PictureResult> T, typename Archive>
 void visit(T& picture, Archive& archive) {
-  auto& [name, verdict, measures, reasons, causes, notes, png, png_file, fingerprint, identical] =
-      picture;
+  auto& [name, verdict, measures, reasons, causes, rivals, partial, notes, png, png_file,
+         fingerprint, identical] = picture;
   archive(name), archive(verdict), archive(measures), archive(reasons), archive(causes);
-  archive(notes);
+  archive(rivals), archive(partial), archive(notes);
   archive(png), archive(png_file), archive(fingerprint), archive(identical);
 }
 
@@ -71,8 +71,8 @@ void visit(T& file, Archive& archive) {
 
 template <ConstOrNot<Gradebook> T, typename Archive>
 void visit(T& book, Archive& archive) {
-  auto& [students, ignored] = book;
-  archive(students), archive(ignored);
+  auto& [students, ignored, name] = book;
+  archive(students), archive(ignored), archive(name);
 }
 
 class Writer {

@@ -26,6 +26,9 @@ std::string reasons_text(const PictureResult& picture) {
   for (const Claim& claim : picture.causes) {
     text += "; cause: " + claim.what;
   }
+  for (const Claim& claim : picture.partial) {
+    text += "; in part: " + claim.what;
+  }
   return text;
 }
 

@@ -26,11 +26,15 @@ struct PictureResult {
   PictureMeasures measures;
   std::vector<std::string> reasons;  ///< why it did not pass, as clauses
   std::vector<Claim> causes;         ///< mistakes that explain it
+  std::vector<Claim> rivals;         ///< other mistakes that explain it almost as well
+  std::vector<Claim> partial;        ///< mistakes that explain a part: something else is wrong too
   std::vector<std::string> notes;    ///< what differs without a mistake, as clauses
-  std::string png;                   ///< reference, picture and heat map as a PNG; may be empty
-  std::string png_file;              ///< path relative to the page, if not embedded
-  std::uint64_t fingerprint = 0;     ///< of the file (base/hash.h); 0: there is none
-  std::string identical;             ///< students with the same file, if there are several
+  /// Reference, picture and heat map next to each other as a PNG, each a third of its width; empty
+  /// without a picture.
+  std::string png;
+  std::string png_file;           ///< if not embedded: path relative to the page
+  std::uint64_t fingerprint = 0;  ///< of the file (base/hash.h); 0: there is none
+  std::string identical;          ///< students with the same file, if there are several
 };
 
 struct StudentResult {
@@ -54,6 +58,7 @@ struct Gradebook {
   std::vector<StudentResult> students;
   /// First those of unknown students, then the others, in the order of the students.
   std::vector<IgnoredFile> ignored = {};
+  std::string name = {};  ///< of the folder of the class
 
   /// The number of pictures of all students with that verdict.
   std::size_t count(Verdict verdict) const;
@@ -90,12 +95,14 @@ struct CauseCount {
 std::vector<CauseCount> count_causes(std::span<const StudentResult> students);
 
 /// The report of a class as an HTML page: a table of students and pictures that can be sorted and
-/// filtered, the causes, and what is wrong with each picture that did not pass. Self-contained,
-/// except for the files in PictureResult::png_file.
-std::string gradebook_html(const Gradebook& book, std::string_view title);
+/// filtered, the mistakes with where to look, and the pictures. Self-contained, except for the
+/// files in PictureResult::png_file. `date` is shown as it is, if not empty.
+std::string gradebook_html(const Gradebook& book, std::string_view title,
+                           std::string_view date = {});
 
 /// The report for one student, to return to them; it contains nothing about the class.
-std::string student_html(const StudentResult& student, std::string_view title);
+std::string student_html(const StudentResult& student, std::string_view title,
+                         std::string_view date = {});
 
 /// One line per picture of each student, as CSV (RFC 4180) with a header line. An apostrophe is put
 /// before text that a spreadsheet would interpret as a formula.

@@ -39,6 +39,10 @@ std::string output_of(const PictureResult& picture) {
   for (const Claim& claim : picture.causes) {
     text += fmt::format("Cause: {} [{}]\n  {}\n", claim.what, name_of(claim.cause), claim.evidence);
   }
+  for (const Claim& claim : picture.partial) {
+    text +=
+        fmt::format("In part: {} [{}]\n  {}\n", claim.what, name_of(claim.cause), claim.evidence);
+  }
   for (const std::string& note : picture.notes) {
     text += fmt::format("Not a mistake: {}\n", note);
   }

@@ -1,231 +1,146 @@
 #include "scenefile/base/base64.h"
+#include "scenefile/grade/cause_help.h"
 #include "scenefile/grade/gradebook.h"
 #include "scenefile/grade/markup.h"
+#include "scenefile/grade/report_page.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace scenefile {
 
 namespace {
-
-constexpr std::string_view style = R"(
-:root { color-scheme: light dark; --ink: #1c1e21; --paper: #fff; --soft: #f1f3f5; --line: #c9ced6; --dim: #59606b;
-  --good: #1d6b3a; --bad: #b3261e; --none: #7a5600; --link: #0b57a4; }
-@media (prefers-color-scheme: dark) { :root { --ink: #e6e8eb; --paper: #15171a; --soft: #22262b; --line: #3f464f;
-  --dim: #a8b0bb; --good: #6fd191; --bad: #ff8f85; --none: #f0c264; --link: #8ec5ff; } }
-* { box-sizing: border-box; }
-body { font: 16px/1.5 system-ui, sans-serif; color: var(--ink); background: var(--paper); margin: 0; }
-main { max-width: 90rem; margin: 0 auto; padding: 1rem; }
-a { color: var(--link); }
-h1 { font-size: 1.6rem; margin: .5rem 0 0; } h2 { font-size: 1.2rem; } h3 { font-size: 1rem; margin: 1rem 0 .2rem; }
-.sum, .dim, figcaption { color: var(--dim); }
-.filters { display: flex; flex-wrap: wrap; align-items: center; gap: .5rem 1rem; margin: 1rem 0 .5rem; }
-.filters label { display: flex; gap: .4rem; align-items: center; }
-input, select { font: inherit; color: inherit; background: var(--soft); border: 1px solid var(--line); border-radius: 4px;
-  padding: .2rem .4rem; max-width: 14rem; }
-.wide { overflow: auto; width: fit-content; max-width: 100%; max-height: 85vh; border: 1px solid var(--line); border-radius: 4px; }
-table { border-collapse: separate; border-spacing: 0; font-size: .9rem; font-variant-numeric: tabular-nums; }
-th, td { padding: .3rem .6rem; border-bottom: 1px solid var(--line); text-align: left; white-space: nowrap;
-  background: var(--paper); }
-thead th { position: sticky; top: 0; background: var(--soft); z-index: 2; vertical-align: bottom; white-space: normal;
-  max-width: 12rem; overflow-wrap: break-word; }
-thead th:nth-child(3), td:nth-child(3) { white-space: normal; min-width: 20rem; max-width: 30rem; }
-.tag { display: inline-block; white-space: nowrap; margin-right: .8rem; }
-tbody th { position: sticky; left: 0; z-index: 1; font-weight: 600; max-width: 16rem; overflow: hidden;
-  text-overflow: ellipsis; }
-thead th:first-child { left: 0; z-index: 3; }
-th button { font: inherit; font-weight: 600; color: inherit; background: none; border: 0; padding: 0; cursor: pointer;
-  text-align: left; max-width: 100%; overflow-wrap: break-word; }
-th[aria-sort=ascending] button::after { content: " ▲"; } th[aria-sort=descending] button::after { content: " ▼"; }
-td a { color: inherit; }
-.passed { color: var(--good); } .differs { color: var(--bad); font-weight: 600; }
-.missing, .unreadable { color: var(--none); font-weight: 600; }
-details { border-top: 1px solid var(--line); padding: .4rem 0; } summary { cursor: pointer; font-weight: 600; }
-img { max-width: 100%; height: auto; border-radius: 4px; } figure { margin: .5rem 0 1.5rem; }
-.cause { border-left: 3px solid var(--bad); padding-left: .6rem; margin: .4rem 0; }
-.cause small { display: block; color: var(--dim); overflow-wrap: anywhere; }
-li, p, h3 { overflow-wrap: anywhere; }
-@media (max-width: 30rem) { main { padding: .5rem; } th, td { padding: .3rem .4rem; }
-  tbody th { min-width: 6.5rem; max-width: 8.5rem; white-space: normal; overflow-wrap: anywhere; }
-  thead th:nth-child(3), td:nth-child(3) { min-width: 12rem; max-width: 12rem; } .tag { white-space: normal; } }
-)";
-
-// Sorts by a column, filters the rows, and opens the targets of links in the table.
-constexpr std::string_view script = R"(
-const table = document.querySelector('table'), body = table && table.tBodies[0];
-if (table) {
-  const heads = [...table.tHead.rows[0].cells];
-  heads.forEach((head, column) => head.querySelector('button').addEventListener('click', () => {
-    const down = head.getAttribute('aria-sort') === 'ascending';
-    heads.forEach(h => h.removeAttribute('aria-sort'));
-    head.setAttribute('aria-sort', down ? 'descending' : 'ascending');
-    const key = row => row.cells[column].dataset.key || row.cells[column].textContent;
-    const rows = [...body.rows].sort((a, b) => key(a).localeCompare(key(b), undefined, {numeric: true}));
-    (down ? rows.reverse() : rows).forEach(row => body.append(row));
-  }));
-  const name = document.getElementById('name'), cause = document.getElementById('cause');
-  const state = document.getElementById('state'), shown = document.getElementById('shown');
-  const filter = () => {
-    let count = 0;
-    for (const row of body.rows) {
-      const all = row.dataset.passed === '1';
-      const hidden = !row.cells[0].textContent.toLowerCase().includes(name.value.toLowerCase()) ||
-        (cause.value && !(' ' + row.dataset.causes + ' ').includes(' ' + cause.value + ' ')) ||
-        (state.value && (state.value === 'passed') !== all);
-      row.hidden = hidden;
-      count += hidden ? 0 : 1;
-    }
-    shown.textContent = count + ' of ' + body.rows.length + ' students';
-  };
-  [name, cause, state].forEach(e => e.addEventListener('input', filter));
-  filter();
-}
-const open = () => {
-  const target = location.hash && document.getElementById(location.hash.slice(1));
-  const box = target && target.closest('details');
-  if (box) { box.open = true; target.scrollIntoView(); }
-};
-addEventListener('hashchange', open);
-open();
-)";
 
 // "1 picture", "2 pictures".
 std::string counted(std::size_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-std::string names_of(const std::vector<Claim>& causes) {
-  std::string text;
-  for (const Claim& claim : causes) {
-    if (claim.cause != Cause::rounding) {
-      text += fmt::format("{}{}", text.empty() ? "" : ", ", name_of(claim.cause));
-    }
+std::string_view sign_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::passed:
+      return "✓";
+    case Verdict::differs:
+      return "✗";
+    case Verdict::missing:
+      return "–";
+    case Verdict::unreadable:
+      break;
   }
-  return text;
+  return "!";
 }
 
-// The text of a table cell: the cause if one is known.
-std::string figure_of(const PictureResult& picture) {
-  switch (picture.verdict) {
-    case Verdict::passed:
-    case Verdict::differs: {
-      const std::string causes = names_of(picture.causes);
-      if (picture.verdict == Verdict::differs && !causes.empty()) {
-        return causes;
-      }
-      return picture.measures.size == picture.measures.right_size
-                 ? fmt::format("{:.1f} dB", picture.measures.difference.psnr_db)
-                 : "size";
-    }
-    case Verdict::missing:
-    case Verdict::unreadable:
-      return std::string(name_of(picture.verdict));
+// Names come from students, and may be written from right to left.
+std::string name_html(std::string_view name) {
+  return "<bdi>" + markup(name) + "</bdi>";
+}
+
+// The claim with a capital letter, unless it begins with the name of a variable.
+std::string sentence(std::string_view what) {
+  std::string text(what);
+  const std::size_t end = std::min(text.find(' '), text.size());
+  const bool word = end > 1 && std::all_of(text.begin(), text.begin() + static_cast<int>(end),
+                                           [](char c) { return c >= 'a' && c <= 'z'; });
+  if (word) {
+    text.front() = static_cast<char>(text.front() - 'a' + 'A');
   }
-  return {};
+  return markup(text);
+}
+
+std::string code(Cause cause) {
+  return fmt::format("<code>{}</code>", name_of(cause));
 }
 
 std::size_t failed(const StudentResult& student) {
   return student.pictures.size() - student.passed();
 }
 
-// "blinn in 5 of 5": of the pictures that differ, because a missing one has no cause. Each between
-// `before` and `after`.
-std::string causes_line(const StudentResult& student, std::string_view before = {},
-                        std::string_view after = {}, std::string_view between = ", ") {
-  const auto differ =
-      std::count_if(student.pictures.begin(), student.pictures.end(),
-                    [](const PictureResult& p) { return p.verdict == Verdict::differs; });
-  std::string text;
-  for (const CauseCount& count : count_causes({&student, 1})) {
-    text += fmt::format("{}{}{} in {} of {}{}", text.empty() ? "" : between, before,
-                        name_of(count.cause), count.pictures, differ, after);
-  }
-  return text;
-}
+// A mistake of a student, and its pictures.
+struct Mistake {
+  Cause cause = Cause::rounding;
+  struct Shown {
+    std::string what;
+    std::vector<std::string> instead;  // what gives all these pictures, too
+    std::vector<std::size_t> pictures;
+  };
+  std::vector<Shown> shown;  // in different words
+  std::size_t pictures = 0;
+};
 
-// Paths may be broken after a slash.
-std::string breakable(std::string_view name) {
-  std::string html;
-  for (const char c : markup(name)) {
-    html += c;
-    html += c == '/' ? "<wbr>" : "";
-  }
-  return html;
-}
-
-std::string header_cell(std::string_view name) {
-  return fmt::format("<th scope=\"col\"><button type=\"button\">{}</button></th>", breakable(name));
-}
-
-std::string table_row(const StudentResult& student, std::size_t index) {
-  std::string words;
-  for (const CauseCount& count : count_causes({&student, 1})) {
-    words += fmt::format("{}{}", words.empty() ? "" : " ", name_of(count.cause));
-  }
-  const std::string name =
-      failed(student) == 0 ? markup(student.name)
-                           : fmt::format("<a href=\"#s{}\">{}</a>", index, markup(student.name));
-  std::string html = fmt::format(
-      "<tr data-passed=\"{}\" data-causes=\"{}\"><th "
-      "scope=\"row\">{}</th><td>{}/{}</td><td>{}</td>",
-      failed(student) == 0 ? 1 : 0, words, name, student.passed(), student.pictures.size(),
-      causes_line(student, "<span class=\"tag\">", "</span>", " "));
-  for (std::size_t p = 0; p < student.pictures.size(); ++p) {
-    const PictureResult& picture = student.pictures[p];
-    html +=
-        picture.verdict == Verdict::passed
-            ? fmt::format("<td class=\"passed\" data-key=\"0\">{}</td>", figure_of(picture))
-            : fmt::format("<td class=\"{0}\" data-key=\"1 {1}\"><a href=\"#p{2}-{3}\">{1}</a></td>",
-                          name_of(picture.verdict), figure_of(picture), index, p);
-  }
-  return html + "</tr>\n";
-}
-
-std::string filters(const Gradebook& book) {
-  std::string html =
-      "<div class=\"filters\"><label>Student <input id=\"name\" type=\"search\"></label>\n"
-      "<label>Cause <select id=\"cause\"><option value=\"\">any</option>";
-  for (const CauseCount& count : count_causes(book.students)) {
-    html += fmt::format("<option value=\"{0}\">{0}</option>", name_of(count.cause));
-  }
-  return html +
-         "</select></label>\n<label>State <select id=\"state\"><option value=\"\">any</option>"
-         "<option value=\"failed\">something failed</option><option value=\"passed\">all passed"
-         "</option></select></label>\n<span id=\"shown\" class=\"dim\" "
-         "role=\"status\"></span></div>\n";
-}
-
-std::string table(const Gradebook& book) {
-  std::string html = filters(book) +
-                     "<div class=\"wide\" role=\"region\" aria-label=\"Results\" tabindex=\"0\">"
-                     "<table>\n<thead><tr>" +
-                     header_cell("student") + header_cell("passed") + header_cell("causes");
-  if (!book.students.empty()) {
-    for (const PictureResult& picture : book.students.front().pictures) {
-      html += header_cell(picture.name);
+// What a claim says: one mistake, or the likeliest of several that give the same picture, followed
+// by the others.
+std::vector<std::string> alternatives(std::string_view what) {
+  constexpr std::string_view end = ": these give the same picture";
+  constexpr std::string_view between = "; or ";
+  std::vector<std::string> found;
+  if (what.ends_with(end)) {
+    what.remove_suffix(end.size());
+    for (std::size_t at = what.find(between); at != std::string_view::npos;
+         at = what.find(between)) {
+      found.emplace_back(what.substr(0, at));
+      what.remove_prefix(at + between.size());
     }
   }
-  html += "</tr></thead>\n<tbody>\n";
-  for (std::size_t s = 0; s < book.students.size(); ++s) {
-    html += table_row(book.students[s], s);
-  }
-  return html + "</tbody>\n</table></div>\n";
+  found.emplace_back(what);
+  return found;
 }
 
-std::string causes_of_class(const Gradebook& book) {
-  const std::vector<CauseCount> counts = count_causes(book.students);
-  if (counts.empty()) {
-    return {};
+using ClaimsOf = std::vector<Claim> PictureResult::*;
+
+// The mistakes of a student, the most frequent first.
+std::vector<Mistake> mistakes_of(const StudentResult& student, ClaimsOf claims) {
+  std::vector<Mistake> mistakes;
+  for (std::size_t p = 0; p < student.pictures.size(); ++p) {
+    for (const Claim& claim : student.pictures[p].*claims) {
+      if (claim.cause == Cause::rounding || student.pictures[p].verdict == Verdict::passed) {
+        continue;
+      }
+      auto mistake = std::find_if(mistakes.begin(), mistakes.end(),
+                                  [&](const Mistake& m) { return m.cause == claim.cause; });
+      if (mistake == mistakes.end()) {
+        mistake = mistakes.insert(mistakes.end(), Mistake{claim.cause, {}, 0});
+      }
+      std::vector<std::string> instead = alternatives(claim.what);
+      const std::string what = instead.front();
+      instead.erase(instead.begin());
+      auto shown = std::find_if(mistake->shown.begin(), mistake->shown.end(),
+                                [&](const Mistake::Shown& s) { return s.what == what; });
+      if (shown == mistake->shown.end()) {
+        shown = mistake->shown.insert(mistake->shown.end(), {what, std::move(instead), {}});
+      } else {
+        std::erase_if(shown->instead, [&](const std::string& other) {
+          return std::find(instead.begin(), instead.end(), other) == instead.end();
+        });
+      }
+      if (shown->pictures.empty() || shown->pictures.back() != p) {
+        shown->pictures.push_back(p);
+        ++mistake->pictures;
+      }
+    }
   }
-  std::string html = "<h2>Causes</h2>\n<ul>\n";
-  for (const CauseCount& count : counts) {
-    html +=
-        fmt::format("<li>{}: {} of {}, {}</li>\n", name_of(count.cause), count.students,
-                    counted(book.students.size(), "student"), counted(count.pictures, "picture"));
+  for (Mistake& mistake : mistakes) {
+    std::stable_sort(mistake.shown.begin(), mistake.shown.end(), [](const auto& a, const auto& b) {
+      return a.pictures.size() > b.pictures.size();
+    });
   }
-  return html + "</ul>\n";
+  std::stable_sort(mistakes.begin(), mistakes.end(),
+                   [](const Mistake& a, const Mistake& b) { return a.pictures > b.pictures; });
+  return mistakes;
+}
+
+// What the table says about a picture that did not pass.
+std::string label_of(const PictureResult& picture) {
+  std::string text;
+  for (const Claim& claim : picture.causes) {
+    text += (text.empty() ? ": " : "; ") + claim.what;
+  }
+  for (std::size_t i = 0; text.empty() && i < picture.reasons.size(); ++i) {
+    text += ": " + picture.reasons[i];
+  }
+  return markup(fmt::format("{}{}", name_of(picture.verdict), text));
 }
 
 std::string measures_line(const PictureMeasures& m) {
@@ -236,6 +151,191 @@ std::string measures_line(const PictureMeasures& m) {
                      m.difference.psnr_db, m.ssim, m.flip_mean, m.difference.max);
 }
 
+// "There are no shadows".
+std::string short_sentence(const Mistake& mistake) {
+  const Mistake::Shown& shown = mistake.shown.front();
+  return sentence(shown.what) + (shown.instead.empty() ? "" : ", or another mistake");
+}
+
+// In the table: the first mistakes, one below the other.
+std::string mistakes_cell(const StudentResult& student) {
+  constexpr std::size_t max_listed = 3;
+  const std::vector<Mistake> mistakes = mistakes_of(student, &PictureResult::causes);
+  std::string html;
+  for (std::size_t i = 0; i < std::min(max_listed, mistakes.size()); ++i) {
+    html += fmt::format("<span>{} <small>· {}</small></span>", short_sentence(mistakes[i]),
+                        counted(mistakes[i].pictures, "picture"));
+  }
+  return mistakes.size() <= max_listed
+             ? html
+             : html + fmt::format("<small>and {} more</small>", mistakes.size() - max_listed);
+}
+
+std::string table_row(const StudentResult& student, std::size_t index) {
+  std::string causes;
+  for (const CauseCount& count : count_causes({&student, 1})) {
+    causes += fmt::format("{}{}", causes.empty() ? "" : " ", name_of(count.cause));
+  }
+  std::string html = fmt::format(
+      "<tr data-causes=\"{}\"><th scope=\"row\"><a href=\"#s{}\">{}</a></th><td>{}/{}</td>"
+      "<td class=\"mistakes\">{}</td>",
+      causes, index, name_html(student.name), student.passed(), student.pictures.size(),
+      mistakes_cell(student));
+  for (std::size_t p = 0; p < student.pictures.size(); ++p) {
+    const PictureResult& picture = student.pictures[p];
+    html +=
+        picture.verdict == Verdict::passed
+            ? fmt::format("<td class=passed>{}</td>", sign_of(picture.verdict))
+            : fmt::format(
+                  "<td class={}><a href=#p{}-{} aria-label=\"{}\">{}"
+                  "</a></td>",
+                  name_of(picture.verdict), index, p, label_of(picture), sign_of(picture.verdict));
+  }
+  return html + "</tr>\n";
+}
+
+std::string filters(const std::vector<CauseCount>& causes) {
+  std::string html =
+      "<div class=\"filters\"><label>Student <input id=\"name\" type=\"search\"></label>\n"
+      "<label>Mistake <select id=\"cause\"><option value=\"\">any</option>";
+  for (const CauseCount& count : causes) {
+    html += fmt::format("<option value=\"{}\">{}</option>", name_of(count.cause),
+                        markup(help_of(count.cause).title));
+  }
+  return html +
+         "</select></label>\n<label>State <select id=\"state\"><option value=\"\">any</option>"
+         "<option value=\"failed\">needs attention</option><option value=\"passed\">all passed"
+         "</option></select></label>\n<span id=\"shown\" class=\"dim\" "
+         "role=\"status\"></span></div>\n";
+}
+
+std::string head_cell(std::string_view name, std::string_view attributes = {}) {
+  return fmt::format("<th scope=\"col\"{}><button type=\"button\">{}</button></th>", attributes,
+                     markup(name));
+}
+
+std::string table(const Gradebook& book, const std::vector<CauseCount>& causes) {
+  std::string html = filters(causes) +
+                     "<div class=\"wide\" role=\"region\" aria-label=\"Results\" tabindex=\"0\">"
+                     "<table class=\"results\">\n<thead><tr>" +
+                     head_cell("Student") + head_cell("Passed") +
+                     head_cell("Mistakes", " class=\"mistakes\"");
+  if (!book.students.empty()) {
+    for (const PictureResult& picture : book.students.front().pictures) {
+      html += head_cell(picture.name,
+                        fmt::format(" class=\"picture\" title=\"{}\"", markup(picture.name)));
+    }
+  }
+  html += "</tr></thead>\n<tbody>\n";
+  for (std::size_t s = 0; s < book.students.size(); ++s) {
+    html += table_row(book.students[s], s);
+  }
+  return html + "</tbody>\n</table></div>\n";
+}
+
+// `lead`, and how many pictures passed.
+std::string summary(const Gradebook& book, std::string_view lead) {
+  std::string bar;
+  std::string key;
+  for (const Verdict verdict :
+       {Verdict::passed, Verdict::differs, Verdict::missing, Verdict::unreadable}) {
+    const std::size_t count = book.count(verdict);
+    const std::string_view name = name_of(verdict);
+    bar += fmt::format("<i class=\"{}\" style=\"flex-grow:{}\"></i>", name, count);
+    key += fmt::format("<li><b class=\"{}\">{} {}</b> {}</li>", name, sign_of(verdict), count,
+                       verdict == Verdict::differs && count != 1 ? "differ" : name);
+  }
+  return fmt::format(
+      "<p class=\"lead\">{}</p>\n<div class=\"bar\" aria-hidden=\"true\">{}</div>\n"
+      "<ul class=\"key\" aria-label=\"Pictures\">{}</ul>\n",
+      lead, bar, key);
+}
+
+std::string lead_of_class(const Gradebook& book, const std::vector<CauseCount>& causes) {
+  const std::size_t all = book.students.size();
+  const auto attention = static_cast<std::size_t>(std::count_if(
+      book.students.begin(), book.students.end(), [](const auto& s) { return failed(s) != 0; }));
+  std::string html =
+      fmt::format("<b>{} of {}</b> passed everything", all - attention, counted(all, "student"));
+  if (attention != 0) {
+    html += fmt::format("; <b>{}</b> need{} <a href=\"#attention\">attention</a>", attention,
+                        attention == 1 ? "s" : "");
+  }
+  html += ".";
+  if (!causes.empty() && causes.front().students > 1) {
+    html +=
+        fmt::format(" Most common mistake: {} ({}).", markup(help_of(causes.front().cause).title),
+                    counted(causes.front().students, "student"));
+  }
+  return html;
+}
+
+std::string where_to_look(Cause cause) {
+  return fmt::format("<p><b>Where to look:</b> {}</p>", markup(help_of(cause).where));
+}
+
+std::string mistakes_of_class(const std::vector<CauseCount>& causes, std::size_t students) {
+  if (causes.empty()) {
+    return {};
+  }
+  std::string html = "<section class=\"common\"><h2>Mistakes in this class</h2>\n";
+  for (const CauseCount& count : causes) {
+    const CauseHelp& help = help_of(count.cause);
+    html += fmt::format(
+        "<details><summary><b>{0}</b> {1} <span class=\"dim\">{2} of {3}, {4}</span></summary>"
+        "<div class=\"body\"><p>{5}</p><p>{6}</p>{7}\n<p><button type=\"button\" class=\"push\" "
+        "data-cause=\"{8}\">Show these students in the table</button></p></div></details>\n",
+        markup(help.title), code(count.cause), count.students, counted(students, "student"),
+        counted(count.pictures, "picture"), markup(help.looks), markup(help.why),
+        where_to_look(count.cause), name_of(count.cause));
+  }
+  return html + "</section>\n";
+}
+
+// Links to the pictures.
+std::string links(const StudentResult& student, std::size_t index,
+                  const std::vector<std::size_t>& pictures) {
+  std::string html;
+  for (const std::size_t p : pictures) {
+    html += fmt::format("{}<a href=#p{}-{}>{}</a>", html.empty() ? "" : ", ", index, p,
+                        markup(student.pictures[p].name));
+  }
+  return html;
+}
+
+// Mistakes with where to look; `partly`: they explain only a part.
+std::string mistakes_list(const StudentResult& student, std::size_t index, bool partly) {
+  std::string html;
+  for (const Mistake& mistake :
+       mistakes_of(student, partly ? &PictureResult::partial : &PictureResult::causes)) {
+    html += partly ? "<li class=\"part\">" : "<li>";
+    for (const Mistake::Shown& shown : mistake.shown) {
+      html += fmt::format("<p>{}<b>{}</b> {}", partly ? "In part: " : "", sentence(shown.what),
+                          code(mistake.cause));
+      for (const std::string& other : shown.instead) {
+        html += fmt::format("<br>or {}", markup(other));
+      }
+      html +=
+          fmt::format("<br><span class=\"dim\">{}</span> {}</p>",
+                      !shown.instead.empty() ? "These give the same picture:"
+                      : partly ? "Explains a part of the difference; something else is wrong, too:"
+                               : "In",
+                      links(student, index, shown.pictures));
+    }
+    html += where_to_look(mistake.cause) + "</li>\n";
+  }
+  return html;
+}
+
+// The <img> of the strip of a picture; empty if there is none. `attributes` follow its name.
+std::string image(const PictureResult& picture, std::string_view attributes) {
+  const std::string source = !picture.png_file.empty() ? link_to(picture.png_file)
+                             : picture.png.empty()     ? std::string()
+                                                   : "data:image/png;base64," + base64(picture.png);
+  return source.empty() ? source
+                        : fmt::format("<img loading=lazy {} src=\"{}\">", attributes, source);
+}
+
 std::string notes_of(const PictureResult& picture) {
   std::string html;
   for (const std::string& note : picture.notes) {
@@ -244,27 +344,37 @@ std::string notes_of(const PictureResult& picture) {
   return html;
 }
 
-std::string details(const PictureResult& picture) {
-  std::string html = "<ul>";
-  for (const std::string& reason : picture.reasons) {
-    html += fmt::format("<li>{}</li>", markup(reason));
-  }
-  html += "</ul>\n";
-  for (const Claim& claim : picture.causes) {
-    html += fmt::format("<div class=\"cause\">{} [{}]<small>{}</small></div>\n", markup(claim.what),
-                        name_of(claim.cause), markup(claim.evidence));
-  }
-  html += notes_of(picture);
-  const std::string source = !picture.png_file.empty() ? markup(picture.png_file)
-                             : picture.png.empty()     ? std::string()
-                                                   : "data:image/png;base64," + base64(picture.png);
-  if (!source.empty()) {
-    html += fmt::format(
-        "<figure><img loading=\"lazy\" alt=\"reference, picture and difference of {}\" src=\"{}\">"
-        "<figcaption>reference · picture · difference: {}</figcaption></figure>\n",
-        markup(picture.name), source, measures_line(picture.measures));
+// `certainty`: what the sentences begin with.
+std::string claims_html(const std::vector<Claim>& claims, std::string_view certainty) {
+  std::string html;
+  for (const Claim& claim : claims) {
+    if (claim.cause != Cause::rounding && !claim.said) {
+      html += fmt::format("<p><span class=why>{}{}</span> {}<small>{}</small></p>\n", certainty,
+                          certainty.empty() ? sentence(claim.what) : markup(claim.what),
+                          code(claim.cause), markup(claim.evidence));
+    }
   }
   return html;
+}
+
+// A picture that did not pass, and is not missing.
+std::string card(const PictureResult& picture, std::size_t index, std::size_t p) {
+  std::string html = fmt::format(
+      "<article class=card id=p{}-{}><h4><bdi>{}</bdi> <span class={}>{} {}</span></h4>\n", index,
+      p, markup(picture.name), name_of(picture.verdict), sign_of(picture.verdict),
+      name_of(picture.verdict));
+  html += claims_html(picture.causes, "") + claims_html(picture.rivals, "Or: ") +
+          claims_html(picture.partial, "In part: ");
+  for (const std::string& reason : picture.reasons) {
+    html += fmt::format("<p class=dim>{}</p>", sentence(reason));
+  }
+  html += notes_of(picture);
+  const std::string strip = image(picture, fmt::format("alt=\"Enlarge {}\"", markup(picture.name)));
+  if (!strip.empty()) {
+    html += fmt::format("<button class=shot>{}</button><small class=measures>{}</small>\n", strip,
+                        measures_line(picture.measures));
+  }
+  return html + "</article>\n";
 }
 
 // The pictures that were not handed in, in one line.
@@ -273,100 +383,141 @@ std::string missing(const StudentResult& student, std::size_t index) {
   std::size_t count = 0;
   for (std::size_t p = 0; p < student.pictures.size(); ++p) {
     if (student.pictures[p].verdict == Verdict::missing) {
-      names += fmt::format("{}<span id=\"p{}-{}\">{}</span>", names.empty() ? "" : ", ", index, p,
+      names += fmt::format("{}<bdi id=\"p{}-{}\">{}</bdi>", names.empty() ? "" : ", ", index, p,
                            markup(student.pictures[p].name));
       ++count;
     }
   }
-  return names.empty()
-             ? std::string()
-             : fmt::format("<h3><span class=\"missing\">missing</span>: {}</h3>\n<p>{}</p>\n",
-                           counted(count, "picture"), names);
+  return names.empty() ? std::string()
+                       : fmt::format(
+                             "<h3><span class=\"missing\">– {} missing</span></h3>\n"
+                             "<p>{}</p>\n",
+                             counted(count, "picture"), names);
 }
 
-// The pictures that did not pass. `index`: of the student in the table.
-std::string failures(const StudentResult& student, std::size_t index) {
+// The pictures that passed, small.
+std::string passed(const StudentResult& student) {
+  constexpr int width = 96;
   std::string html;
+  for (const PictureResult& picture : student.pictures) {
+    if (picture.verdict != Verdict::passed) {
+      continue;
+    }
+    const std::string name = fmt::format("<bdi>{}</bdi>", markup(picture.name));
+    const glm::ivec2 size = picture.measures.right_size;
+    const int height = size.x > 0 && size.y > 0 ? std::clamp(width * size.y / size.x, 24, 192) : 72;
+    const std::string strip =
+        image(picture, fmt::format("alt=\"\" width={} height={}", width, height));
+    html += strip.empty()
+                ? fmt::format("<span>{}</span>\n", name)
+                : fmt::format("<button class=shot title=\"PSNR {:.2f} dB\">{}{}</button>\n",
+                              picture.measures.difference.psnr_db, strip, name);
+  }
+  return html.empty() ? html
+                      : fmt::format(
+                            "<h3><span class=\"passed\">✓ {} passed</span></h3>\n"
+                            "<div class=\"thumbs\">{}</div>\n",
+                            counted(student.passed(), "picture"), html);
+}
+
+// Everything about a student. `index`: in the table.
+std::string results(const StudentResult& student, std::size_t index) {
+  std::string html = mistakes_list(student, index, false) + mistakes_list(student, index, true);
+  html = html.empty() ? html
+                      : "<h3>What to look at</h3>\n<ul class=\"mistakes-list\">" + html + "</ul>\n";
+  std::string cards;
   for (std::size_t p = 0; p < student.pictures.size(); ++p) {
-    const PictureResult& picture = student.pictures[p];
-    if (picture.verdict != Verdict::passed && picture.verdict != Verdict::missing) {
-      html +=
-          fmt::format("<h3 id=\"p{}-{}\">{}: <span class=\"{}\">{}</span></h3>\n", index, p,
-                      markup(picture.name), name_of(picture.verdict), name_of(picture.verdict)) +
-          details(picture);
+    const Verdict verdict = student.pictures[p].verdict;
+    if (verdict != Verdict::passed && verdict != Verdict::missing) {
+      cards += card(student.pictures[p], index, p);
     }
   }
+  html += cards.empty() ? cards
+                        : "<h3>What did not pass</h3>\n<div class=\"cards\">" + cards + "</div>\n";
   html += missing(student, index);
   if (const std::string unmatched = unmatched_text(student); !unmatched.empty()) {
     html += fmt::format("<p>{}.</p>\n", markup(unmatched));
   }
+  html += passed(student);
+  for (const PictureResult& picture : student.pictures) {
+    if (picture.verdict == Verdict::passed && !picture.notes.empty()) {
+      html += fmt::format("<h4>{}</h4>\n{}", name_html(picture.name), notes_of(picture));
+    }
+  }
   return html;
 }
 
-std::string list_of(std::string_view title, const std::vector<std::string>& lines) {
-  std::string html = lines.empty() ? std::string() : fmt::format("<h2>{}</h2>\n<ul>\n", title);
+// Lines about the whole class that are no mistakes.
+std::string class_notes(std::string_view title, std::string_view remark,
+                        const std::vector<std::string>& lines) {
+  constexpr std::size_t max_open = 12;
+  if (lines.empty()) {
+    return {};
+  }
+  std::string html = fmt::format(
+      "<section class=\"common\"><h2>{}</h2>\n<details{}><summary>{}</summary><ul "
+      "class=\"body\">\n",
+      title, lines.size() <= max_open ? " open" : "", remark);
   for (const std::string& line : lines) {
     html += fmt::format("<li>{}</li>\n", markup(line));
   }
-  return html + (lines.empty() ? "" : "</ul>\n");
+  return html + "</ul></details></section>\n";
 }
 
-std::string page(std::string_view title, const std::string& sum, const std::string& content,
-                 bool with_script) {
+std::string passed_of_all(const StudentResult& student) {
+  return fmt::format("<b>{} of {}</b> passed", student.passed(),
+                     counted(student.pictures.size(), "picture"));
+}
+
+std::string student_details(const StudentResult& student, std::size_t index) {
+  const std::vector<Mistake> mistakes = mistakes_of(student, &PictureResult::causes);
+  const std::size_t more = mistakes.empty() ? 0 : mistakes.size() - 1;
   return fmt::format(
-      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
-      "name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{0}</title>\n"
-      "<style>{1}</style>\n</head>\n<body>\n<main>\n<h1>{0}</h1>\n<p class=\"sum\">{2}</p>\n{3}"
-      "</main>\n{4}</body>\n</html>\n",
-      markup(title), style, sum, content,
-      with_script ? fmt::format("<script>{}</script>\n", script) : std::string());
+      "<details class=\"student\" id=\"s{}\"><summary><b class=\"who\">{}</b> {}{}</summary>\n"
+      "<div class=\"body\">{}</div></details>\n",
+      index, name_html(student.name),
+      fmt::format("{} of {} passed", student.passed(), student.pictures.size()),
+      mistakes.empty()
+          ? std::string()
+          : fmt::format(" <span class=\"dim\">· {}{}</span>", short_sentence(mistakes.front()),
+                        more == 0 ? "" : fmt::format(", and {}", counted(more, "other mistake"))),
+      results(student, index));
+}
+
+// The details of the students that passed everything, or of the others.
+std::string students(const Gradebook& book, bool all_passed, std::string_view heading) {
+  std::string html;
+  for (std::size_t s = 0; s < book.students.size(); ++s) {
+    if ((failed(book.students[s]) == 0) == all_passed) {
+      html += student_details(book.students[s], s);
+    }
+  }
+  return html.empty() ? html : fmt::format("<section>{}\n{}</section>\n", heading, html);
 }
 
 }  // namespace
 
-std::string gradebook_html(const Gradebook& book, std::string_view title) {
-  const std::string sum = fmt::format(
-      "{} · {} passed · {} {} · {} missing · {} unreadable",
-      counted(book.students.size(), "student"), counted(book.count(Verdict::passed), "picture"),
-      book.count(Verdict::differs), book.count(Verdict::differs) == 1 ? "differs" : "differ",
-      book.count(Verdict::missing), book.count(Verdict::unreadable));
-  std::string html = table(book) + causes_of_class(book);
-  bool any = false;
-  for (std::size_t s = 0; s < book.students.size(); ++s) {
-    const StudentResult& student = book.students[s];
-    if (failed(student) == 0) {
-      continue;
-    }
-    html += any ? "" : "<h2>What did not pass</h2>\n";
-    any = true;
-    const std::string causes = causes_line(student);
-    html += fmt::format("<details id=\"s{}\"><summary>{}: {} of {} passed{}</summary>\n", s,
-                        markup(student.name), student.passed(), student.pictures.size(),
-                        causes.empty() ? "" : "; " + causes) +
-            failures(student, s) + "</details>\n";
-  }
-  html += list_of("Identical files", identical_lines(book)) +
-          list_of("Ignored files", ignored_lines(book));
-  return page(title, sum, html, true);
+std::string gradebook_html(const Gradebook& book, std::string_view title, std::string_view date) {
+  const std::vector<CauseCount> causes = count_causes(book.students);
+  return report_page(
+      title, date,
+      summary(book, lead_of_class(book, causes)) + table(book, causes) +
+          mistakes_of_class(causes, book.students.size()) +
+          class_notes("Identical files",
+                      "Students who handed in the same bytes, which has many reasons",
+                      identical_lines(book)) +
+          class_notes("Ignored files", "Not graded, and why", ignored_lines(book)) +
+          students(book, false, "<h2 id=\"attention\">Students who need attention</h2>") +
+          students(book, true, "<h2>Students who passed everything</h2>"));
 }
 
-std::string student_html(const StudentResult& student, std::string_view title) {
-  const std::string causes = causes_line(student);
-  std::string html;
-  for (const PictureResult& picture : student.pictures) {
-    if (picture.verdict == Verdict::passed) {
-      html += fmt::format("<h3>{}: <span class=\"passed\">passed</span> ({})</h3>\n",
-                          markup(picture.name), figure_of(picture)) +
-              notes_of(picture);
-    }
-  }
-  const std::string sum =
-      fmt::format("{}: {} of {} passed{}", markup(student.name), student.passed(),
-                  counted(student.pictures.size(), "picture"), causes.empty() ? "" : "; " + causes);
-  return page(title, sum,
-              (failed(student) == 0 ? std::string() : "<h2>What did not pass</h2>\n") +
-                  failures(student, 0) + (html.empty() ? "" : "<h2>Passed</h2>\n") + html,
-              false);
+std::string student_html(const StudentResult& student, std::string_view title,
+                         std::string_view date) {
+  return report_page(
+      title, date,
+      fmt::format("<div class=\"student\">\n<h2 class=\"who\">{}</h2>\n{}{}</div>\n",
+                  name_html(student.name), summary({{student}}, passed_of_all(student)),
+                  results(student, 0)));
 }
 
 }  // namespace scenefile

@@ -2,6 +2,8 @@
 
 #include "scenefile/base/text.h"
 
+#include <fmt/format.h>
+
 namespace scenefile {
 
 std::string markup(std::string_view text) {
@@ -23,6 +25,9 @@ std::string markup(std::string_view text) {
       case '"':
         result += "&quot;";
         break;
+      case '\'':
+        result += "&#39;";
+        break;
       default:
         if ((static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t') || value == 0xFFFE ||
             value == 0xFFFF) {
@@ -32,6 +37,18 @@ std::string markup(std::string_view text) {
         }
     }
     rest.remove_prefix(bytes);
+  }
+  return result;
+}
+
+std::string link_to(std::string_view path) {
+  constexpr std::string_view plain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.~/";
+  std::string result;
+  for (const char c : path) {
+    result += plain.find(c) != std::string_view::npos
+                  ? std::string(1, c)
+                  : fmt::format("%{:02X}", static_cast<unsigned char>(c));
   }
   return result;
 }

@@ -9,4 +9,7 @@ namespace scenefile {
 /// '?'.
 std::string markup(std::string_view text);
 
+/// A relative path as an attribute that is a link: all but plain characters are percent-encoded.
+std::string link_to(std::string_view path);
+
 }  // namespace scenefile

@@ -438,7 +438,7 @@ class ClassBuilder {
     std::vector<Top> tops = tops_of(listing, references_);
     if (is_one_student(tops, listing.items, references_)) {
       StudentFiles& student = result_.students.emplace_back();
-      student.name = name_of_class();
+      student.name = name_of_class(folder_);
       for (const Item& item : listing.items) {
         add(student, item, item.file);
       }
@@ -456,15 +456,6 @@ class ClassBuilder {
     std::string id;
     std::vector<Top*> tops = {};
   };
-
-  std::string name_of_class() const {
-    std::string_view path = folder_;
-    while (path.size() > 1 && (path.ends_with('/') || path.ends_with("/."))) {
-      path.remove_suffix(1);
-    }
-    const std::string name(path.substr(path.rfind('/') + 1));
-    return is_folder(folder_) ? name : std::string(without_archive_ending(name));
-  }
 
   const std::string& path_of(const Item& item) const {
     return paths_[static_cast<std::size_t>(&item - first_)];
@@ -626,6 +617,16 @@ void read_entries(const std::vector<FoundFile>& files, const std::vector<std::si
 }
 
 }  // namespace
+
+std::string name_of_class(const std::string& folder) {
+  const std::string whole = absolute_path(folder);
+  std::string_view path = whole;
+  while (path.size() > 1 && (path.ends_with('/') || path.ends_with("/."))) {
+    path.remove_suffix(1);
+  }
+  const std::string name(path.substr(path.rfind('/') + 1));
+  return is_folder(folder) ? name : std::string(without_archive_ending(name));
+}
 
 ClassFiles find_class_files(const std::string& folder, const std::vector<FoundFile>& references) {
   return ClassBuilder(folder, references).build();

@@ -37,6 +37,9 @@ struct ClassFiles {
 /// Everything else that is not a picture of a student is ignored with a reason.
 ClassFiles find_class_files(const std::string& folder, const std::vector<FoundFile>& references);
 
+/// The name of the folder, or of the archive without its ending.
+std::string name_of_class(const std::string& folder);
+
 /// What a name in the form of a course system says.
 struct CourseSystemName {
   std::string student;       ///< equal for the files of a student only

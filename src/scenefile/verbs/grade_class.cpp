@@ -31,6 +31,8 @@ constexpr double default_min_psnr_db = 40;
 // 32 dB, which another program reaches in spite of different edges.
 constexpr double same_scene_mean_square = 40;
 
+constexpr int passed_thumbnail_width = 128;
+
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // A student, with the picture for each reference.
@@ -48,7 +50,7 @@ std::string thumbnail(const Texture& reference, const Texture& picture, int widt
   const Texture a = reduced(reference, width);
   const Texture b = reduced(picture, width);
   const std::array<const Texture*, 3> pictures{&a, &b, &heat};
-  return *encode_image(to_float(side_by_side(pictures)), ImageFormat::png8, Rounding::nearest);
+  return *encode_image(to_float(side_by_side(pictures, 0)), ImageFormat::png8, Rounding::nearest);
 }
 
 // If no thresholds were given, the kind of difference decides: pictures with known mistakes fail at
@@ -254,6 +256,7 @@ struct ClassGrader::State {
 
   Result<Gradebook> run(const StudentRange& range, const std::function<bool(double)>& go_on) {
     Gradebook book;
+    book.name = name_of_class(request_.handed_in);
     const auto all = static_cast<double>((range.end - range.begin) * references_.size());
     double done = 0;
     bool stopped = false;
@@ -549,9 +552,7 @@ struct ClassGrader::State {
       result.verdict = Verdict::differs;
       result.measures = measure(right.texture, shown, settings_.pixel_threshold);
       result.reasons = {fmt::format("it is the picture of {}", other->name)};
-      if (request_.thumbnails) {
-        result.png = thumbnail(right.texture, shown, thumbnail_width_);
-      }
+      add_thumbnail(right.texture, shown, result);
       return result;
     }
     enter("comparing the pictures");
@@ -574,6 +575,8 @@ struct ClassGrader::State {
       result.reasons.emplace_back("apart from its size, the picture is right");
     }
     result.causes = compared.causes.claims;
+    result.rivals = compared.causes.rivals;
+    result.partial = compared.causes.partial;
     for (const Claim& note : compared.causes.notes) {
       result.notes.push_back(note.what);
     }
@@ -587,11 +590,18 @@ struct ClassGrader::State {
     if (result.verdict == Verdict::differs && settings.lossy) {
       result.reasons.emplace_back("it is a JPEG, which changes colors: a PNG is needed");
     }
-    if (result.verdict == Verdict::differs && request_.thumbnails) {
-      result.png = thumbnail(compared.reference_of(right.texture), compared.test_of(shown),
-                             thumbnail_width_);
-    }
+    add_thumbnail(compared.reference_of(right.texture), compared.test_of(shown), result);
     return result;
+  }
+
+  // Those of pictures that passed are smaller.
+  void add_thumbnail(const Texture& reference, const Texture& picture,
+                     PictureResult& result) const {
+    if (request_.thumbnails) {
+      result.png =
+          thumbnail(reference, picture,
+                    result.verdict == Verdict::passed ? passed_thumbnail_width : thumbnail_width_);
+    }
   }
 
   const GradeRequest& request_;
@@ -692,6 +702,8 @@ std::string gradebook_json(const Gradebook& book) {
       }
       add_clauses(json, "reasons", picture.reasons);
       add_claims(json, "causes", picture.causes);
+      add_claims(json, "rivals", picture.rivals);
+      add_claims(json, "partial", picture.partial);
       std::vector<std::string> notes = picture.notes;
       if (!picture.identical.empty()) {
         notes.push_back("identical files: " + picture.identical);

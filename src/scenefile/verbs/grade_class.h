@@ -22,7 +22,7 @@ struct GradeRequest {
   /// PSNR, pictures that differ only at edges or by rounding pass, others pass with 40 dB or more.
   CompareSettings compare;
   std::string layer{};        ///< of EXR files with layers
-  bool thumbnails = false;    ///< create PictureResult::png for those that differ
+  bool thumbnails = false;    ///< create PictureResult::png
   std::vector<NamePair> map;  ///< pairs of names that the rules of grade_files.h cannot match
 };
 

@@ -193,6 +193,20 @@ std::string set_mode(Options& options, const std::string& value) {
   return wrong;
 }
 
+std::string set_lobe(Options& options, const std::string& value) {
+  std::size_t index = 0;
+  std::string wrong = set_choice("lobe", value, lobe_words, index);
+  options.render.lobe = static_cast<Lobe>(index);
+  return wrong;
+}
+
+std::string set_tone(Options& options, const std::string& value) {
+  std::size_t index = 0;
+  std::string wrong = set_choice("tone", value, tone_words, index);
+  options.tone = static_cast<Tone>(index);
+  return wrong;
+}
+
 std::string set_features(Options& options, const std::string& value) {
   if (std::string wrong = check_list(value, "shadows,reflect"); !wrong.empty()) {
     return wrong;
@@ -463,12 +477,14 @@ constexpr std::array option_rows{
               for_tracing | for_convert | for_pictures | for_view, set_features, "features"},
     OptionRow{"--mode", "", "NAME",
               "ray (default), intersect (the course's ray caster: no shadows, reflections or "
-              "textures), or normals (colors are normals).",
+              "textures), normals (colors are normals), or path (path tracing, for render; the "
+              "default if the scene has no lights, but faces of meshes that emit light).",
               for_tracing | for_pictures | for_view, set_mode, "mode"},
     OptionRow{
         "--samples", "", "N",
         "Maximum number of samples per pixel, for the profile fine (default 16; with --engine gl "
-        "1, 4, 16 or 64, by default 4, or 16 if most objects are a few pixels wide).",
+        "1, 4, 16 or 64, by default 4, or 16 if most objects are a few pixels wide; with --mode "
+        "path the number for every pixel, by default 64).",
         for_tracing, set_field<&RenderOptions::samples>, "samples"},
     OptionRow{"--min-samples", "", "N",
               "Smallest number of samples per pixel, for the profile fine (default 1). If "
@@ -479,7 +495,8 @@ constexpr std::array option_rows{
               for_tracing, set_flag_of<&Options::render, &RenderOptions::fresnel>, "fresnel"},
     OptionRow{
         "--max-depth", "", "N",
-        "Maximum number of reflections and refractions in a row (default: fine 16, course 4).",
+        "Maximum number of reflections and refractions in a row (default: fine 16, course 4; with "
+        "--mode path 0, which is no maximum).",
         for_tracing | for_convert | for_pictures | for_view, set_field<&RenderOptions::max_depth>,
         "max_depth"},
     OptionRow{"--threads", "", "N",
@@ -495,6 +512,60 @@ constexpr std::array option_rows{
                 return set_number(v, std::uint64_t{0}, ~std::uint64_t{0}, o.render.seed);
               },
               "seed"},
+    OptionRow{
+        "--time", "", "SECONDS",
+        "With --mode path: take samples until this time is over; --samples then is the "
+        "maximum. The number that was taken gives the same picture again.",
+        for_render,
+        [](Options& o, const std::string& v) { return read_number(v, 0.001, 1e7, o.seconds); }, "",
+        path_only},
+    OptionRow{"--light-samples", "", "N",
+              "With --mode path: points on lamps and area lights for each point of a path (default "
+              "1; 0: paths find lamps only by chance).",
+              for_render, set_field<&RenderOptions::light_samples>, "light_samples"},
+    OptionRow{"--no-mis", "", "",
+              "With --mode path: without multiple importance sampling. Diffuse and glossy surfaces "
+              "then only use the samples of --light-samples.",
+              for_render,
+              [](Options& o, const std::string&) {
+                o.render.mis = false;
+                return std::string();
+              },
+              "mis"},
+    OptionRow{
+        "--direct-only", "", "",
+        "With --mode path: only light that comes straight from lamps, also as seen in mirrors "
+        "and through glass.",
+        for_render, set_flag_of<&Options::render, &RenderOptions::direct_only>, "direct_only"},
+    OptionRow{"--continue", "", "P",
+              "With --mode path: the probability that a path continues after each bounce, up to "
+              "0.99 (default: after the third bounce, by the light that it can still add).",
+              for_render,
+              [](Options& o, const std::string& v) {
+                return read_number(v, 0.01, 0.99, o.render.continuation);
+              },
+              "continuation"},
+    OptionRow{"--lobe", "", "NAME",
+              "With --mode path, for materials with both Kd and Ks: energy (default) adds both; "
+              "course uses the glossy lobe alone where Ks is brighter.",
+              for_render, set_lobe, "lobe"},
+    OptionRow{
+        "--clamp", "", "N",
+        "With --mode path: the maximum of indirect light in a sample. Removes bright specks, "
+        "and some light.",
+        for_render,
+        [](Options& o, const std::string& v) { return read_number(v, 1e-3, 1e9, o.render.clamp); },
+        "clamp"},
+    OptionRow{"--tone", "", "NAME",
+              "With --mode path, for PNG files: course (default: Reinhard's curve, white is the "
+              "brightest pixel, gamma 2) or none. EXR and PFM files are always linear.",
+              for_render, set_tone, "", path_only},
+    OptionRow{"--exposure", "", "STOPS",
+              "With --mode path, for PNG files: 1 makes the picture twice as bright before tone "
+              "mapping, -1 half as bright (default 0).",
+              for_render,
+              [](Options& o, const std::string& v) { return read_number(v, -64, 64, o.exposure); },
+              "", path_only},
     OptionRow{
         "--scene", "", "SCENE",
         "The scene of the pictures: look for the mistake that turns the first one into the second.",
@@ -562,10 +633,15 @@ constexpr std::array option_rows{
               "Segments of a full turn of round shapes, for output in glTF and OBJ (default 64).",
               for_convert,
               [](Options& o, const std::string& v) { return set_number(v, 3, 1024, o.segments); }},
-    OptionRow{"--checkpoint", "", "OUT",
+    OptionRow{"--checkpoint",
+              "",
+              "OUT",
               "Save the state of the render in this file, about every 4 seconds, and continue "
               "from it if it exists. It is removed when the picture is written.",
-              for_render, set_checkpoint, "", tracer_only},
+              for_render,
+              set_checkpoint,
+              "",
+              {.gl = false, .path = false}},
     OptionRow{
         "--crop", "", "X0,Y0,X1,Y1",
         "Draw only the pixels from column X0 and row Y0 up to, but not including, X1 and Y1 (row 0 "
@@ -594,11 +670,16 @@ constexpr std::array option_rows{
               "Run the steps in this file instead of a user's input, then close the window; "
               "docs/viewer.md lists the steps.",
               for_view, set_name<&Options::script>},
-    OptionRow{"--part", "", "I/N",
+    OptionRow{"--part",
+              "",
+              "I/N",
               "Draw only part I of N of the picture, where I is 1 to N, or grade only that part of "
               "the students, and write it to a file for merge. If that file already exists and is "
               "complete, do nothing.",
-              for_render | for_grade, set_part},
+              for_render | for_grade,
+              set_part,
+              "",
+              {.path = false}},
     OptionRow{"--missing", "", "",
               "Write nothing; print the numbers of missing and damaged parts, one per line. The "
               "exit status is 1 if there are any.",
@@ -726,6 +807,7 @@ std::span<const std::string_view> words_of(const OptionRow& row) {
       Words{set_mode, mode_words},         Words{set_features, feature_words()},
       Words{set_layers, layer_words},      Words{set_to, format_words},
       Words{set_compat, compat_words},     Words{set_completion, shell_words},
+      Words{set_lobe, lobe_words},         Words{set_tone, tone_words},
   };
   const auto found =
       std::find_if(sets.begin(), sets.end(), [&](const Words& one) { return one.set == row.set; });

@@ -168,10 +168,27 @@ std::string choose_format(Options& options) {
   return {};
 }
 
-// Checks that each option has an effect with the selected engine and profile.
-std::string check_support(const Options& options) {
+OptionSupport support_for(const OptionRow& row) {
+  return row.field.empty() ? row.support : support_of(row.field);
+}
+
+// Checks that each option has an effect with the selected engine, profile and mode.
+std::string check_support(const Command& command, const Options& options) {
+  if (options.render.mode == Mode::path) {
+    if (command.bit != for_render) {
+      return fmt::format("--mode path is for render, not for {}", command.name);
+    }
+    if (options.engine != Engine::trace) {
+      return fmt::format("--mode path is for the ray tracer: leave it out, or {}",
+                         options.realtime ? "--profile realtime" : "--engine gl");
+    }
+    if (options.render.profile != Profile::fine) {
+      return fmt::format("--mode path is for the profile fine: leave it out, or --profile {}",
+                         profile_word(options.render.profile));
+    }
+  }
   for (const auto& [row, value] : options.given) {
-    const OptionSupport support = row->field.empty() ? row->support : support_of(row->field);
+    const OptionSupport support = support_for(*row);
     if (!supports_option(options.engine, support)) {
       return fmt::format("{} is for the ray tracer: leave it out, or {}", row->name,
                          options.realtime ? "--profile realtime" : "--engine gl");
@@ -179,6 +196,12 @@ std::string check_support(const Options& options) {
     if (!supports_option(options.render.profile, support)) {
       return fmt::format("{} is for the profile fine: leave it out, or --profile {}", row->name,
                          profile_word(options.render.profile));
+    }
+    if (!supports_option(options.render.mode, support)) {
+      return options.render.mode == Mode::path
+                 ? fmt::format("{} has no effect on paths: leave it out, or --mode path", row->name)
+                 : fmt::format("{0} is for path tracing: leave it out, or add --mode path",
+                               row->name);
     }
   }
   const int samples = options.render.samples;
@@ -337,7 +360,7 @@ std::string check_together(const Command& command, Options& options) {
   if (!options.title.empty() && options.report.empty() && options.pages.empty()) {
     return "--title is for --report and --pages";
   }
-  if (std::string wrong = check_support(options); !wrong.empty()) {
+  if (std::string wrong = check_support(command, options); !wrong.empty()) {
     return wrong;
   }
   if (options.json && options.sarif) {
@@ -390,6 +413,9 @@ std::string parse_options(const Command& command, std::span<const char* const> w
   if (options.realtime) {
     options.engine = Engine::gl;
   }
+  if (options.render.mode == Mode::path) {
+    set_path_mode(options);
+  }
   options.load.compat_course =
       options.load.compat_course || options.render.profile == Profile::course || options.realtime;
   return check_together(command, options);
@@ -398,6 +424,25 @@ std::string parse_options(const Command& command, std::span<const char* const> w
 bool was_given(const Options& options, std::string_view name) {
   return std::any_of(options.given.begin(), options.given.end(),
                      [&](const GivenOption& given) { return given.row->name == name; });
+}
+
+void set_path_mode(Options& options) {
+  options.render.mode = Mode::path;
+  if (!was_given(options, "--samples")) {
+    // Then --time alone limits them.
+    options.render.samples = options.seconds > 0 ? option_field("samples").most : path_samples;
+  }
+  if (!was_given(options, "--max-depth")) {
+    options.render.max_depth = path_max_depth;
+  }
+}
+
+bool excludes_path_mode(const Options& options) {
+  return options.engine != Engine::trace || options.render.profile != Profile::fine ||
+         was_given(options, "--mode") ||
+         std::any_of(options.given.begin(), options.given.end(), [](const GivenOption& given) {
+           return !supports_option(Mode::path, support_for(*given.row));
+         });
 }
 
 RenderOptions render_options(const Options& options, Profile profile) {

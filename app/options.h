@@ -5,6 +5,7 @@
 #include "app/names.h"
 #include "scenefile/base/realtime.h"
 #include "scenefile/compare/measure.h"
+#include "scenefile/path/tone.h"
 #include "scenefile/trace/visit_options.h"
 #include "scenefile/verbs/findings.h"
 #include "scenefile/verbs/load_file.h"
@@ -55,6 +56,9 @@ struct Options {
   bool realtime = false;           ///< --profile realtime; `engine` is then gl
   RealtimeOptions realtime_panel;  ///< for `realtime`
   RenderOptions render;            ///< complete, with the profile's defaults
+  Tone tone = Tone::course;        ///< mode path: of PNG files
+  double exposure = 0;             ///< mode path: of PNG files, in stops
+  double seconds = 0;              ///< mode path: time for samples; 0: no limit
   std::string checkpoint;          ///< a file; empty: none
   std::string preview;             ///< a file; empty: none
   std::optional<PartPlace> part;   ///< draw only this part
@@ -124,6 +128,11 @@ std::string parse_options(const Command& command, std::span<const char* const> w
 
 /// Whether an option, such as "--samples", was given.
 bool was_given(const Options& options, std::string_view name);
+
+/// Sets mode path, with its defaults for what was not given.
+void set_path_mode(Options& options);
+/// Whether an option was given that mode path does not have.
+bool excludes_path_mode(const Options& options);
 
 /// options.render with the defaults of this profile.
 RenderOptions render_options(const Options& options, Profile profile);

@@ -30,6 +30,18 @@ Outcome write(const std::string& path, const Result<std::string>& bytes, Context
   return outcome_of(write_file(path, *bytes));
 }
 
+// What the file gets of a picture: that of mode path is linear, and only some formats store it.
+const Image& shown_in(const std::string& path, const Image& image, const Options& options,
+                      Image& toned) {
+  const ImageFormat format = format_of(path);
+  const bool linear = format == ImageFormat::exr || format == ImageFormat::pfm;
+  if (options.render.mode != Mode::path || linear) {
+    return image;
+  }
+  toned = tone_mapped(image, options.tone, options.exposure);
+  return toned;
+}
+
 Outcome write_image(const std::string& path, const Image& image, Rounding rounding,
                     Context& context) {
   context.phase = "encoding the picture";
@@ -79,7 +91,8 @@ Outcome write_pictures(const Options& options, const RenderResult& result, Conte
   if (!options.render.layers.empty() && storage_of(options) == LayerStorage::together) {
     return write_in_one(options, result, context);
   }
-  const Image& image = result.image;
+  Image toned;
+  const Image& image = shown_in(options.output, result.image, options, toned);
   Outcome outcome =
       write_image(options.output, image, rounding_of(options.render.profile), context);
   const int max_depth = options.render.max_depth;
@@ -103,10 +116,13 @@ Preview preview_of(const Options& options) {
     return preview;
   }
   const auto failed = std::make_shared<bool>(false);
-  preview.show = [path = options.preview, rounding = rounding_of(options.render.profile),
-                  failed](const Image& image) {
+  preview.show = [options, failed](const Image& image) {
     Context context;
-    const Outcome outcome = *failed ? Outcome() : write_image(path, image, rounding, context);
+    Image toned;
+    const Outcome outcome =
+        *failed ? Outcome()
+                : write_image(options.preview, shown_in(options.preview, image, options, toned),
+                              rounding_of(options.render.profile), context);
     if (!outcome.error.empty()) {
       say_error(outcome.error);
       *failed = true;

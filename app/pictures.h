@@ -18,7 +18,7 @@ Image canvas(int width, int height);
 /// "x.depth.png" of "x.png".
 std::string layer_file(const std::string& output, const Layer& layer);
 
-/// Writes all files.
+/// Writes all files. In mode path, PNG files are tone-mapped.
 Outcome write_pictures(const Options& options, const RenderResult& result, Context& context);
 
 /// Writes a picture whose values are already multiples of 1/255.

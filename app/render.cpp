@@ -14,6 +14,7 @@
 #include "scenefile/base/text.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/interrupt.h"
+#include "scenefile/path/render_path.h"
 #include "scenefile/trace/layers.h"
 #include "scenefile/trace/picture_state.h"
 #include "scenefile/trace/trace_scene.h"
@@ -72,6 +73,28 @@ RenderResult trace(const Options& options, LoadedScene& scene, const RenderOptio
                  .traced = &traced});
 }
 
+// The same for paths. Sets the number of samples taken.
+RenderResult trace_paths(const Options& options, LoadedScene& scene, RenderReport& report) {
+  ProgressBar bar(!options.quiet && !options.json && wants_progress());
+  const Progress progress = [&](double done) {
+    bar.update(done);
+    return DeferredSignals::pending() == 0;
+  };
+  PathResult path = render_path(
+      scene.ready.scene, scene.assets, report.options,
+      {.progress = progress, .preview = preview_of(options), .seconds = options.seconds});
+  report.options.samples = static_cast<int>(path.samples);
+  if (path.state.dropped > 0 && !options.quiet) {
+    say(fmt::format("warning: {} sample{} not finite; their light is missing\n", path.state.dropped,
+                    path.state.dropped == 1 ? " was" : "s were"));
+  }
+  RenderResult result;
+  result.image = std::move(path.image);
+  result.status = path.status;
+  result.stats = path.stats;
+  return result;
+}
+
 // `picture`: the picture that options.part is a part of; null for a whole picture.
 Outcome draw(const Options& options, LoadedScene& scene, const DividedPicture* picture,
              RenderReport& report, Context& context) {
@@ -95,7 +118,9 @@ Outcome draw(const Options& options, LoadedScene& scene, const DividedPicture* p
   }
   context.phase = "tracing";
   RenderResult result;
-  if (drawn_region(report.options).width() > 0) {
+  if (report.options.mode == Mode::path) {
+    result = trace_paths(options, scene, report);
+  } else if (drawn_region(report.options).width() > 0) {
     result = trace(options, scene, report.options, std::move(checkpoints));
   }
   deferred.reset();
@@ -122,7 +147,10 @@ std::string work_text(const RenderReport& report) {
   }
   const std::uint64_t rays =
       report.stats.primary_rays + report.stats.shadow_rays + report.stats.secondary_rays;
-  return fmt::format("{:.2f} million rays", static_cast<double>(rays) / 1e6);
+  const std::string samples = report.options.mode == Mode::path
+                                  ? fmt::format("{} samples per pixel, ", report.options.samples)
+                                  : std::string();
+  return fmt::format("{}{:.2f} million rays", samples, static_cast<double>(rays) / 1e6);
 }
 
 // The requested part of the picture that OpenGL drew, or the whole picture.
@@ -178,6 +206,13 @@ ExitCode run_render(const Options& given, Context& context) {
   }
   LoadedScene scene = load_for_tracing(options, context);
   Outcome outcome{status_of(scene), {}};
+  if (!excludes_path_mode(options) && scene.ready.scene.lights.empty() && has_lamps(scene.assets)) {
+    set_path_mode(options);
+    report.options = options.render;
+    if (!options.quiet && !options.json) {
+      say("note: faces of this scene emit light, and it has no lights: using --mode path\n");
+    }
+  }
   if (const auto realtime = realtime_options(options);
       realtime && outcome.status == ExitCode::fine) {
     check_realtime(*realtime, scene);

@@ -77,6 +77,9 @@ constexpr SpecialOption special_options[] = {
     {"mode", "mode",
      [](RenderOptions& o, const py::handle& v) {
        o.mode = from_word<Mode>("mode", v.cast<std::string_view>(), mode_words);
+       if (o.mode == Mode::path) {
+         throw py::value_error("mode: path is only in the program: scenefile render --mode path");
+       }
      }},
     {"features", "features", set_features},
     {"crop", "crop", set_crop},
@@ -111,6 +114,9 @@ void set_option(RenderOptions& options, const std::string& name, const py::handl
   if (!supports_option(options.profile, support_of(field))) {
     throw py::value_error(fmt::format("{} is for the profile fine: leave it out, or profile=\"{}\"",
                                       name, profile_word(options.profile)));
+  }
+  if (!supports_option(Mode::ray, support_of(field))) {
+    throw py::type_error(fmt::format("a picture has no option {}", name));
   }
   if (special != nullptr) {
     special->set(options, value);

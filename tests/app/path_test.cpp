@@ -1,0 +1,150 @@
+// render --mode path as a command.
+
+#include "app/run_program.h"
+#include "scenefile/asset/image_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace scenefile {
+
+namespace {
+
+using namespace testing_support;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+struct PathCommand : ::testing::Test {
+  PathCommand() { scene = folder.write("scene.xml", good_scene); }
+
+  ProgramRun render(const std::string& output, const Words& more) const {
+    return run_program(Words{"render", scene, "-o", folder.path(output), "--size", "32x24"} + more);
+  }
+
+  // The values of a PFM file, which has three lines before them.
+  std::vector<float> values(const std::string& name) const {
+    const std::string bytes = folder.read(name);
+    std::vector<float> numbers(std::size_t{3} * 32 * 24);
+    EXPECT_GT(bytes.size(), numbers.size() * sizeof(float));
+    std::memcpy(numbers.data(), bytes.data() + bytes.size() - numbers.size() * sizeof(float),
+                numbers.size() * sizeof(float));
+    return numbers;
+  }
+
+  TempFolder folder;
+  std::string scene;
+};
+
+TEST_F(PathCommand, DrawsASceneWithLights) {
+  const ProgramRun run = render("a.png", {"--mode", "path", "--samples", "4"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("4 samples per pixel, "));
+  const Result<Texture> picture = decode_image(folder.read("a.png"));
+  ASSERT_TRUE(picture);
+  EXPECT_GT(picture->texel(16, 12)[0], 60);
+  EXPECT_EQ(picture->texel(0, 0)[0], 0);
+}
+
+TEST_F(PathCommand, FloatFilesAreLinearWhateverTheTone) {
+  const Words path{"--mode", "path", "--samples", "4"};
+  render("a.pfm", path);
+  render("b.pfm", path + Words{"--tone", "none", "--exposure", "3"});
+  EXPECT_EQ(folder.read("a.pfm"), folder.read("b.pfm"));
+  render("a.png", path);
+  render("b.png", path + Words{"--tone", "none"});
+  render("c.png", path + Words{"--tone", "none", "--exposure", "-2"});
+  EXPECT_NE(folder.read("a.png"), folder.read("b.png"));
+  const Texture b = decode_image(folder.read("b.png")).value();
+  const Texture c = decode_image(folder.read("c.png")).value();
+  EXPECT_NEAR(b.texel(16, 12)[0] / 4.0, c.texel(16, 12)[0], 1);
+}
+
+TEST_F(PathCommand, AnswersInJson) {
+  const ProgramRun run = render("a.png", {"--mode", "path", "--json", "--samples", "2"});
+  const rapidjson::Document json = parse_json(run.out);
+  EXPECT_STREQ(json["mode"].GetString(), "path");
+  EXPECT_EQ(json["samples"].GetInt(), 2);
+  EXPECT_EQ(json["max_depth"].GetInt(), 0);
+  EXPECT_EQ(json["light_samples"].GetInt(), 1);
+  EXPECT_STREQ(json["lobe"].GetString(), "energy");
+  EXPECT_FALSE(json.HasMember("features"));
+  const rapidjson::Document ray = parse_json(render("a.png", {"--json"}).out);
+  EXPECT_FALSE(ray.HasMember("light_samples"));
+}
+
+TEST_F(PathCommand, TimeGivesTheSamplesThatReproduceIt) {
+  const ProgramRun run = render("a.pfm", {"--mode", "path", "--time", "0.3", "--json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const int samples = parse_json(run.out)["samples"].GetInt();
+  EXPECT_GE(samples, 1);
+  render("b.pfm", {"--mode", "path", "--samples", std::to_string(samples)});
+  EXPECT_EQ(folder.read("a.pfm"), folder.read("b.pfm"));
+}
+
+TEST_F(PathCommand, OptionsReachThePaths) {
+  const Words path{"--mode", "path", "--samples", "2"};
+  render("a.pfm", path);
+  const std::string usual = folder.read("a.pfm");
+  for (const Words& more : {Words{"--seed", "1"}, Words{"--max-depth", "1"}, Words{"--direct-only"},
+                            Words{"--clamp", "0.001"}, Words{"--continue", "0.5"}}) {
+    EXPECT_EQ(render("b.pfm", path + more).status, 0);
+    EXPECT_NE(folder.read("b.pfm"), usual) << more[0];
+  }
+}
+
+TEST_F(PathCommand, RefusesWhatItDoesNotHave) {
+  const Words path{"--mode", "path"};
+  for (const Words& more :
+       {Words{"--fresnel"}, Words{"--denoise"}, Words{"--aov", "depth"},
+        Words{"--min-samples", "2"}, Words{"--features", "none"},
+        Words{"--checkpoint", folder.path("c")}, Words{"--part", "1/2"}, Words{"--engine", "gl"},
+        Words{"--profile", "course"}, Words{"--profile", "realtime"}}) {
+    const ProgramRun run = render("a.png", path + more);
+    EXPECT_EQ(run.status, 2) << more[0] << run.err;
+    EXPECT_THAT(run.err, HasSubstr("--mode path")) << more[0];
+  }
+  for (const Words& more : {Words{"--light-samples", "2"}, Words{"--direct-only"},
+                            Words{"--time", "1"}, Words{"--tone", "none"}}) {
+    const ProgramRun run = render("a.png", more);
+    EXPECT_EQ(run.status, 2) << more[0] << run.err;
+    EXPECT_THAT(run.err, HasSubstr("add --mode path")) << more[0];
+  }
+  const ProgramRun explain = run_program({"explain", scene, "--pixel", "5,5", "--mode", "path"});
+  EXPECT_EQ(explain.status, 2);
+  EXPECT_THAT(explain.err, HasSubstr("--mode path is for render"));
+}
+
+// A lamp over a floor, in the files of the assignment Path.
+TEST_F(PathCommand, IsTheDefaultForFacesThatEmitLight) {
+  folder.write("box.mtl", "newmtl white\r\nKd .7 .7 .7\r\nnewmtl lamp\r\nKe 3 3 3\r\n");
+  folder.write("box.obj",
+               "mtllib box.mtl\nv -9 0 9\nv 9 0 9\nv 9 0 -9\nv -9 0 -9\n"
+               "v -1 3 -1\nv 1 3 -1\nv 1 3 1\nv -1 3 1\n"
+               "usemtl white\nf 1 2 3 4\nusemtl lamp\nf 5 6 7 8\n");
+  scene = folder.write("lamp.xml", R"(<scenefile>
+  <cameradata><pos x="0" y="2" z="6"/><focus x="0" y="0" z="0"/><up x="0" y="1" z="0"/>
+    <heightangle v="45"/></cameradata>
+  <object type="tree" name="root"><transblock>
+    <object type="primitive" name="mesh" filename="box.obj"/>
+  </transblock></object>
+</scenefile>
+)");
+  const ProgramRun run = render("a.pfm", {"--samples", "16"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.err, AllOf(HasSubstr("using --mode path"), HasSubstr("16 samples per pixel"),
+                             Not(HasSubstr("warning"))));
+  EXPECT_GT(values("a.pfm")[3 * (32 * 12 + 16)], 0.05);
+  // The same as if it was given, but not with options of the other modes.
+  const ProgramRun given = render("b.pfm", {"--samples", "16", "--mode", "path"});
+  EXPECT_THAT(given.err, Not(HasSubstr("using --mode path")));
+  EXPECT_EQ(folder.read("a.pfm"), folder.read("b.pfm"));
+  EXPECT_THAT(render("c.png", {"--fresnel"}).err, Not(HasSubstr("using --mode path")));
+  EXPECT_THAT(render("c.png", {"--mode", "ray"}).err, Not(HasSubstr("using --mode path")));
+}
+
+}  // namespace
+
+}  // namespace scenefile

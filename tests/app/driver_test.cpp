@@ -199,11 +199,11 @@ TEST_F(Driver, ErrorsHaveAPlace) {
 }
 
 TEST_F(Driver, AConfigurationOfThePathTracerIsRefused) {
-  const ProgramRun run = drive(folder.write(
-      "c.ini",
-      "[IO]\nscene=a.xml\noutput=a.png\n[Settings]\nimageWidth=4\nimageHeight=4\n"
-      "samplesPerPixel=1\npathContinuationProb=0.5\ndirectLightingOnly=false\n"
-      "numDirectLightingSamples=1\n"));
+  const ProgramRun run = drive(
+      folder.write("c.ini",
+                   "[IO]\nscene=a.xml\noutput=a.png\n[Settings]\nimageWidth=4\nimageHeight=4\n"
+                   "samplesPerPixel=1\npathContinuationProb=0.5\ndirectLightingOnly=false\n"
+                   "numDirectLightingSamples=1\n"));
   EXPECT_EQ(run.status, 1);
   EXPECT_THAT(run.err, HasSubstr("c.ini is a configuration of the path tracer"));
 }

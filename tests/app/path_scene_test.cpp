@@ -60,17 +60,18 @@ TEST_F(PathScene, WithoutEmissionItHasNoLight) {
 }
 
 TEST_F(PathScene, FindingsHaveThePlaceInTheLibrary) {
-  folder.write("scenes/models/box.mtl", "newmtl lamp\nKe 17 x 4\nnewmtl wall\nKd 1 1 1\nKs 1 1 1\n");
+  folder.write("scenes/models/box.mtl",
+               "newmtl lamp\nKe 17 x 4\nnewmtl wall\nKd 1 1 1\nKs 1 1 1\n");
   const ProgramRun run = run_program({"check", scene()});
   EXPECT_EQ(run.status, 0);
   EXPECT_THAT(run.out, HasSubstr("models/box.mtl:2:7: warning: \"x\" in Ke is not a number"));
-  EXPECT_THAT(run.out, HasSubstr("models/box.mtl:3:1: note: Kd + Ks of the material \"wall\" is 2"));
+  EXPECT_THAT(run.out,
+              HasSubstr("models/box.mtl:3:1: note: Kd + Ks of the material \"wall\" is 2"));
   EXPECT_THAT(run.out, Not(HasSubstr("Ke 17 x 4"))) << "contents of other files are not shown";
   const rapidjson::Document sarif = parse_json(run_program({"check", "--sarif", scene()}).out);
   const auto& result = sarif["runs"][0]["results"][0];
-  EXPECT_THAT(
-      result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"].GetString(),
-      HasSubstr("scenes/models/box.mtl"));
+  EXPECT_THAT(result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"].GetString(),
+              HasSubstr("scenes/models/box.mtl"));
 }
 
 TEST_F(PathScene, WithLightsMaterialsAreNotRead) {

@@ -29,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // What all pages of a class have in common.
-struct Heading {
+struct PageHeading {
   std::string title;
   std::string date;
 };
@@ -134,8 +134,8 @@ class PageNames {
   std::set<std::string> used_;
 };
 
-Result<void> write_pages(const std::string& folder, const Gradebook& book, const Heading& heading,
-                         NewFiles& files) {
+Result<void> write_pages(const std::string& folder, const Gradebook& book,
+                         const PageHeading& heading, NewFiles& files) {
   if (const Result<void> made = files.make_folder(folder); !made) {
     return made;
   }
@@ -192,10 +192,10 @@ Result<void> write_pictures(const std::string& report, Gradebook& book, NewFiles
 
 Result<void> write_all(const Options& options, Gradebook& book) {
   const DeferredSignals deferred;
-  const Heading heading{!options.title.empty() ? options.title
-                        : !book.name.empty()   ? book.name
-                                               : "Grades",
-                        date_of_report()};
+  const PageHeading heading{!options.title.empty() ? options.title
+                            : !book.name.empty()   ? book.name
+                                                   : "Grades",
+                            date_of_report()};
   NewFiles files;
   Result<void> done;
   if (!options.pages.empty()) {

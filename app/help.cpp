@@ -283,7 +283,8 @@ ExitCode run_help(const Options& options, Context& /*context*/) {
     if (topic == "codes") {
       return run_help_codes(options.arguments[1], options);
     }
-    say_error(fmt::format("help explains one topic; unexpected {}", quoted(options.arguments[1])));
+    say_error(fmt::format("help explains one topic; unexpected {}",
+                          scenefile::quoted(options.arguments[1])));
     return ExitCode::usage;
   }
   if (const Command* const command = find_command(topic); command != nullptr) {

@@ -18,7 +18,7 @@ TEST(CompareImages, EqualOnes) {
   EXPECT_EQ(d.mean, 0);
   EXPECT_EQ(d.max, 0);
   EXPECT_EQ(d.share_over, 0);
-  EXPECT_EQ(compare_images({}, {}).psnr_db, 99);
+  EXPECT_EQ(compare_images(Texture(), Texture()).psnr_db, 99);
 }
 
 // Differences 10, 0, 0, 0, 0, 20: mean 5, mean square 500 / 6.

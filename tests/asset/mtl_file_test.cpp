@@ -22,14 +22,14 @@ struct ReadMtl {
   Diagnostics diagnostics;
 };
 
-ReadMtl read(std::string_view text, const Limits& limits = {}) {
+ReadMtl read_text(std::string_view text, const Limits& limits = {}) {
   ReadMtl r{{}, 1 << 20, Diagnostics(limits)};
   r.materials = read_mtl(text, "a.mtl", limits, r.bytes, r.diagnostics);
   return r;
 }
 
 TEST(ReadMtl, ReadsAllValues) {
-  const ReadMtl r = read(
+  const ReadMtl r = read_text(
       "# a library\n"
       "newmtl first\n"
       "Ka 0.1 0.2 0.3\nKd 1 0 0.5\nKs 0 0.25 1e-1\nKe 17 12 4 # bright\nTf 0.1 0.2 0.3\n"
@@ -65,7 +65,7 @@ TEST(ReadMtl, LineEndsAndMarksDoNotMatter) {
        {"newmtl a b\nKd 1 2 3\nillum 2\n", "newmtl a b\r\nKd 1 2 3\r\nillum 2",
         "\xef\xbb\xbfnewmtl\ta b  \rKd\t1 2\t3\rillum 2\r",
         "newmtl a b # b\nKd 1 \\\n 2 3\n\nillum 2"}) {
-    const ReadMtl r = read(text);
+    const ReadMtl r = read_text(text);
     EXPECT_EQ(findings(r.diagnostics), "") << text;
     ASSERT_EQ(r.materials.size(), 1u) << text;
     EXPECT_EQ(r.materials[0].name, "a b") << text;
@@ -88,7 +88,7 @@ TEST(ReadMtl, NamesOfMapsFollowTheirOptions) {
       {"-s 1 1 1 \"a b.png\"", "a b.png"},
   };
   for (const auto& [text, name] : cases) {
-    const ReadMtl r = read("newmtl m\nmap_Kd " + text + "\n");
+    const ReadMtl r = read_text("newmtl m\nmap_Kd " + text + "\n");
     EXPECT_EQ(findings(r.diagnostics), "") << text;
     ASSERT_EQ(r.materials.size(), 1u) << text;
     EXPECT_EQ(r.materials[0].diffuse_map.name, name) << text;
@@ -121,7 +121,7 @@ TEST(ReadMtl, EachMistakeHasItsPlace) {
       {"Kd \xc3\xa9 0 0\n", "2:4 mtl.value"},
   };
   for (const auto& [text, finding] : cases) {
-    const ReadMtl r = read("newmtl m\n" + text);
+    const ReadMtl r = read_text("newmtl m\n" + text);
     EXPECT_THAT(findings(r.diagnostics), HasSubstr(finding)) << text;
     EXPECT_EQ(r.diagnostics.list().size(), 1u) << text;
     EXPECT_EQ(r.materials.size(), 1u) << text;
@@ -131,7 +131,7 @@ TEST(ReadMtl, EachMistakeHasItsPlace) {
 }
 
 TEST(ReadMtl, MistakesLeaveTheDefault) {
-  const ReadMtl r = read(
+  const ReadMtl r = read_text(
       "newmtl m\nKd 1 x 0\nNs five\nNi -1\nillum two\nKe -1 2 3\nKs 0.5\nKd 0.1 0.2 0.3\n"
       "newmtl m\nKd 1 1 1\n");
   ASSERT_EQ(r.materials.size(), 1u);
@@ -143,24 +143,26 @@ TEST(ReadMtl, MistakesLeaveTheDefault) {
 }
 
 TEST(ReadMtl, OpacityIsThatOfD) {
-  EXPECT_EQ(read("newmtl m\nd 0.25\nTr 1\n").materials[0].opacity, .25f);
-  EXPECT_EQ(read("newmtl m\nTr 1\nd 0.25\n").materials[0].opacity, .25f);
-  EXPECT_EQ(read("newmtl m\nd -halo 0.5\n").materials[0].opacity, .5f);
-  EXPECT_EQ(read("newmtl a\nd 0.25\nnewmtl b\nTr 1\n").materials[1].opacity, 0);
+  EXPECT_EQ(read_text("newmtl m\nd 0.25\nTr 1\n").materials[0].opacity, .25f);
+  EXPECT_EQ(read_text("newmtl m\nTr 1\nd 0.25\n").materials[0].opacity, .25f);
+  EXPECT_EQ(read_text("newmtl m\nd -halo 0.5\n").materials[0].opacity, .5f);
+  EXPECT_EQ(read_text("newmtl a\nd 0.25\nnewmtl b\nTr 1\n").materials[1].opacity, 0);
 }
 
 TEST(ReadMtl, ValuesBeforeTheFirstMaterialHaveNoEffect) {
-  const ReadMtl r = read("Ka 1 1 1\nKd 1 0 0\nnewmtl a\nKs 1 1 1\n");
+  const ReadMtl r = read_text("Ka 1 1 1\nKd 1 0 0\nnewmtl a\nKs 1 1 1\n");
   EXPECT_EQ(findings(r.diagnostics),
             "1:1 mtl.before-newmtl \"Ka\" comes before any newmtl and belongs to no material\n");
   EXPECT_FALSE(r.materials.at(0).diffuse);
 }
 
 TEST(ReadMtl, OtherFilesAreNotLibraries) {
-  EXPECT_THAT(findings(read("").diagnostics), HasSubstr("mtl.no-material the material library is"));
-  EXPECT_THAT(findings(read("v 0 0 0\nf 1 2 3\n").diagnostics),
+  EXPECT_THAT(findings(read_text("").diagnostics),
+              HasSubstr("mtl.no-material the material library is"));
+  EXPECT_THAT(findings(read_text("v 0 0 0\nf 1 2 3\n").diagnostics),
               HasSubstr("mtl.no-material this is not a material library"));
-  EXPECT_THAT(findings(read(test::fixture("rgb.png")).diagnostics), HasSubstr("mtl.no-material"));
+  EXPECT_THAT(findings(read_text(test::fixture("rgb.png")).diagnostics),
+              HasSubstr("mtl.no-material"));
 }
 
 TEST(ReadMtl, MaterialsCountTowardTheLimit) {
@@ -183,7 +185,7 @@ TEST(ReadMtl, FindingsAreBounded) {
   }
   Limits limits;
   limits.messages_per_code = 7;
-  EXPECT_EQ(read(text, limits).diagnostics.list().size(), 7u);
+  EXPECT_EQ(read_text(text, limits).diagnostics.list().size(), 7u);
 }
 
 // Any values, written with any number of digits, blanks and line ends, are read back.
@@ -202,7 +204,7 @@ TEST(ReadMtl, ReadsBackWhatIsWritten) {
       text += fmt::format("Ke{}{}{}{}{}{}{}", blank(), colors[i].x, blank(), colors[i].y, blank(),
                           colors[i].z, end());
     }
-    const ReadMtl r = read(text);
+    const ReadMtl r = read_text(text);
     RC_ASSERT(findings(r.diagnostics).empty());
     RC_ASSERT(r.materials.size() == colors.size());
     for (std::size_t i = 0; i < colors.size(); ++i) {

@@ -208,9 +208,7 @@ PictureComparison compare(const LoadedPicture& a, const LoadedPicture& b, const 
 
 // The first one is the reference.
 ExitCode diff_images(const Options& options, Context& context) {
-  const std::array outputs{named_file("heat map", options.heatmap),
-                           named_file("sheet", options.sheet)};
-  if (const Outcome refused = claim_outputs(outputs, context); refused.status != ExitCode::fine) {
+  if (const Outcome refused = check_named_outputs(options); refused.status != ExitCode::fine) {
     say_error(refused.error);
     return refused.status;
   }

@@ -180,9 +180,6 @@ Result<void> add_graded_files(const Options& options, Context& context) {
       is_scene_name);
   add("picture of a student", options.arguments.front(), is_picture_name);
   add("archive of a student", options.arguments.front(), is_archive_name);
-  if (added && !is_folder(options.arguments.front())) {
-    added = context.files.read(named_file("archive of the class", options.arguments.front()));
-  }
   for (const std::string& folder : {options.references, options.references + "/.."}) {
     const std::string table = fmt::format("{}/{}", folder, realtime_table_name);
     if (added && stamp_of(table).exists) {
@@ -197,7 +194,7 @@ Result<void> add_graded_files(const Options& options, Context& context) {
 ExitCode run_grade(const Options& options, Context& context) {
   Outcome refused = outcome_of(add_graded_files(options, context));
   if (refused.status == ExitCode::fine) {
-    refused = claim_results(options, context);
+    refused = check_named_outputs(options);
   }
   if (refused.status != ExitCode::fine) {
     say_error(refused.error);

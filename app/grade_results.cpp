@@ -222,16 +222,6 @@ Result<void> write_all(const Options& options, Gradebook& book) {
 
 }  // namespace
 
-Outcome claim_results(const Options& options, Context& context) {
-  const std::array outputs{named_file("output", options.output),
-                           named_file("report", options.report),
-                           named_file("JUnit file", options.junit),
-                           named_file("CSV table", options.csv),
-                           named_file("CSV table of students", options.csv_students),
-                           named_file("Gradescope file", options.gradescope)};
-  return claim_outputs(outputs, context);
-}
-
 Outcome claim_pages(const Options& options, std::span<const std::string> students,
                     std::size_t pictures, Context& context) {
   Result<void> added;

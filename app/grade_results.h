@@ -11,10 +11,8 @@
 
 namespace scenefile::app {
 
-/// Adds the files of the results to context.files, as claim_outputs() does.
-Outcome claim_results(const Options& options, Context& context);
-/// The same for the pages of these students, and for the pictures next to the report. `pictures`:
-/// the number of pictures of the class.
+/// Adds the pages of these students and the pictures next to the report to context.files. An error
+/// if one would replace another file. `pictures`: the number of pictures of the class.
 Outcome claim_pages(const Options& options, std::span<const std::string> students,
                     std::size_t pictures, Context& context);
 

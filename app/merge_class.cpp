@@ -41,7 +41,7 @@ ExitCode merge_class(const Options& options, const SortedParts& set,
     students.push_back(student.name);
     pictures += student.pictures.size();
   }
-  Outcome refused = claim_results(options, context);
+  Outcome refused = check_named_outputs(options);
   if (refused.status == ExitCode::fine) {
     refused = claim_pages(options, students, pictures, context);
   }

@@ -28,15 +28,17 @@ bool contains(std::span<const std::string_view> words, std::string_view word) {
 
 // What messages call a file, by the name of its option or the word for the argument.
 std::string role_of(std::string_view name) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 10> others{
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 12> others{
       {{"--heatmap", "heat map"},
        {"--csv", "CSV table"},
+       {"--csv-students", "CSV table of students"},
        {"--junit", "JUnit file"},
        {"--gradescope", "Gradescope file"},
        {"--path", "camera path"},
        {"--mine", "picture"},
        {"A", "picture A"},
        {"B", "picture B"},
+       {"DIR", "archive of the class"},  // if it is a file
        {"IN", "input"},
        {"PARTS", "part"}}};
   const auto other = std::find_if(others.begin(), others.end(),
@@ -90,6 +92,17 @@ bool writes_files(const Options& options) {
          std::any_of(options.given.begin(), options.given.end(), [](const GivenOption& given) {
            return contains(words_for_outputs, given.row->value);
          });
+}
+
+Outcome check_named_outputs(const Options& options) {
+  for (const auto& [row, value] : options.given) {
+    if (row->value == "OUT") {
+      if (Outcome outcome = outcome_of(check_writable(value)); outcome.status != ExitCode::fine) {
+        return outcome;
+      }
+    }
+  }
+  return {};
 }
 
 Outcome claim_outputs(std::span<const UsedFile> outputs, Context& context) {

@@ -22,9 +22,13 @@ Result<void> add_named_files(const Command& command, const Options& options, Use
 /// Whether the options name a file to write.
 bool writes_files(const Options& options);
 
-/// Adds outputs to context.files, before the work starts and after all inputs are known. Returns an
-/// error for the first that would replace an input or another output (ExitCode::usage), or that
-/// cannot be written (ExitCode::environment).
+/// Whether the files after options can be written, before the work starts
+/// (ExitCode::environment).
+Outcome check_named_outputs(const Options& options);
+
+/// Adds outputs that the options do not name to context.files, before the work starts and after all
+/// inputs are known. Returns an error for the first that would replace an input or another output
+/// (ExitCode::usage), or that cannot be written (ExitCode::environment).
 Outcome claim_outputs(std::span<const UsedFile> outputs, Context& context);
 
 }  // namespace scenefile::app

@@ -43,12 +43,8 @@ Outcome claim_render_outputs(const Options& options, Context& context) {
   for (const std::string& file : picture_files(options)) {
     outputs.push_back(named_file(outputs.empty() ? "output" : "layer", file));
   }
-  outputs.push_back(named_file("checkpoint", options.checkpoint));
-  // The preview may have the same path as the output.
-  if (!same_file(options.preview, options.output)) {
-    outputs.push_back(named_file("preview", options.preview));
-  }
-  return claim_outputs(outputs, context);
+  Outcome refused = claim_outputs(outputs, context);
+  return refused.status == ExitCode::fine ? check_named_outputs(options) : refused;
 }
 
 // Returns the scene to draw, and frees its groups.

@@ -128,7 +128,7 @@ struct Outputs : ::testing::Test {
     folder.write("map.csv", "sphere,ball\n");
     folder.write("references.tsv", "");
     EXPECT_EQ(run(Words{"render", "scene.xml", "--size", "8x6", "-o", "b.png"}).status, 0);
-    folder.write("class/ann/sphere.png", folder.read("b.png"));
+    folder.write("class/ann/sphere.png", folder.read("a.png"));
     folder.write("bin/ffmpeg", "#!/bin/sh\nfor out; do :; done\necho \"$@\" > \"$out\"\n");
     fs::permissions(folder.path("bin/ffmpeg"), fs::perms::owner_all);
     fs::create_directory(folder.path("parts"));
@@ -206,6 +206,7 @@ TEST_F(Outputs, ReplaceNoInput) {
         const std::string before = folder.read(input);
         const fs::path link = folder.path(writer.target);
         fs::create_directories(link.parent_path());
+        fs::remove(link);  // of another row
         hard ? fs::create_hard_link(folder.path(input), link)
              : fs::create_symlink(folder.path(input), link);
         const ProgramRun refused = run(writer.words);
@@ -219,10 +220,15 @@ TEST_F(Outputs, ReplaceNoInput) {
         fs::remove(link);
       }
     }
+    if (writer.command != "view") {
+      const ProgramRun written = run(writer.words);
+      EXPECT_LT(written.status, 2) << writer.option << ": " << written.err;
+    }
   }
 }
 
 TEST_F(Outputs, ReplaceNoOtherOutput) {
+  fs::create_directory(folder.path("web"));
   for (const Words& words :
        {render + Words{"-o", "x.png", "--checkpoint", "./x.png"},
         render + Words{"-o", "x.png", "--aov", "depth", "--preview", "x.depth.png"},
@@ -231,13 +237,13 @@ TEST_F(Outputs, ReplaceNoOtherOutput) {
         frames + Words{"--write-scenes", "v%d.xml", "--video", "v2.xml"},
         diff + Words{"--heatmap", "x.png", "--sheet", "image/../x.png"},
         grade + Words{"--csv", "x", "--junit", "x"},
-        grade + Words{"--pages", "new", "--report", "new/ann.html"},
-        Words{"merge", "graded", "--pages", "new", "--csv", "new/ann.html"}}) {
+        grade + Words{"--pages", "web", "--report", "web/ann.html"},
+        Words{"merge", "graded", "--pages", "web", "--csv", "web/ann.html"}}) {
     const ProgramRun refused = run(words);
     EXPECT_EQ(refused.status, 2) << refused.err;
     EXPECT_THAT(refused.err, HasSubstr(" would replace the "));
     EXPECT_FALSE(fs::exists(folder.path("x.png")) || fs::exists(folder.path("x")) ||
-                 fs::exists(folder.path("v1.png")) || fs::exists(folder.path("new")));
+                 fs::exists(folder.path("v1.png")) || !fs::is_empty(folder.path("web")));
   }
 }
 

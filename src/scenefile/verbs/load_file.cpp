@@ -120,7 +120,8 @@ std::vector<UsedFile> used_files(const LoadedScene& scene, const AssetAccess& ac
   for (const AssetFile& file : locate_files(scene, access, limits)) {
     files.push_back(
         {file.resolved.path,
-         fmt::format("the {} {} of the scene", file.kind == AssetKind::texture ? "texture" : "mesh",
+         fmt::format("the {} {} of the scene",
+                     file.kind == AssetKind::library ? "material library" : word_of(file.kind),
                      escaped(file.reference.name))});
   }
   return files;

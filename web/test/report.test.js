@@ -118,7 +118,7 @@ test('it shows the mistakes of a student and the state of each picture', { skip 
   const row = (student) => page.locator('tbody tr', { hasText: student });
   assert.match(await row('Müller').locator('td.mistakes').textContent(), /^There are no shadows.* · 3 pictures/);
   const label = (student, column) => row(student).locator('td').nth(column).locator('a').getAttribute('aria-label');
-  assert.match(await label('<b>', 2), /^differs: the size is 240x180, expected 320x240/);
+  assert.match(await label('<b>', 2), /^differs: The size is 240x180, expected 320x240/);
   assert.match(await label('<b>', 4), /^missing/);
   assert.match(await label('zoe', 2), /^unreadable/);
   assert.equal(await row('ada').locator('td.passed').count(), 3);

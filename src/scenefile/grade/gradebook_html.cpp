@@ -131,18 +131,6 @@ std::vector<Mistake> mistakes_of(const StudentResult& student, ClaimsOf claims) 
   return mistakes;
 }
 
-// What the table says about a picture that did not pass.
-std::string label_of(const PictureResult& picture) {
-  std::string text;
-  for (const Claim& claim : picture.causes) {
-    text += (text.empty() ? ": " : "; ") + claim.what;
-  }
-  for (std::size_t i = 0; text.empty() && i < picture.reasons.size(); ++i) {
-    text += ": " + picture.reasons[i];
-  }
-  return markup(fmt::format("{}{}", name_of(picture.verdict), text));
-}
-
 std::string measures_line(const PictureMeasures& m) {
   if (!m.same_size) {
     return "not measured";
@@ -183,13 +171,10 @@ std::string table_row(const StudentResult& student, std::size_t index) {
       mistakes_cell(student));
   for (std::size_t p = 0; p < student.pictures.size(); ++p) {
     const PictureResult& picture = student.pictures[p];
-    html +=
-        picture.verdict == Verdict::passed
-            ? fmt::format("<td class=passed>{}</td>", sign_of(picture.verdict))
-            : fmt::format(
-                  "<td class={}><a href=#p{}-{} aria-label=\"{}\">{}"
-                  "</a></td>",
-                  name_of(picture.verdict), index, p, label_of(picture), sign_of(picture.verdict));
+    html += picture.verdict == Verdict::passed
+                ? fmt::format("<td class=passed>{}</td>", sign_of(picture.verdict))
+                : fmt::format("<td class={}><a href=#p{}-{}>{}</a></td>", name_of(picture.verdict),
+                              index, p, sign_of(picture.verdict));
   }
   return html + "</tr>\n";
 }
@@ -450,14 +435,12 @@ std::string results(const StudentResult& student, std::size_t index) {
 // Lines about the whole class that are no mistakes.
 std::string class_notes(std::string_view title, std::string_view remark,
                         const std::vector<std::string>& lines) {
-  constexpr std::size_t max_open = 12;
   if (lines.empty()) {
     return {};
   }
-  std::string html = fmt::format(
-      "<section class=\"common\"><h2>{}</h2>\n<details{}><summary>{}</summary><ul "
-      "class=\"body\">\n",
-      title, lines.size() <= max_open ? " open" : "", remark);
+  std::string html =
+      fmt::format("<section><h2>{}</h2>\n<details><summary>{} ({})</summary><ul class=\"body\">\n",
+                  title, remark, lines.size());
   for (const std::string& line : lines) {
     html += fmt::format("<li>{}</li>\n", markup(line));
   }
@@ -504,7 +487,7 @@ std::string gradebook_html(const Gradebook& book, std::string_view title, std::s
       summary(book, lead_of_class(book, causes)) + table(book, causes) +
           mistakes_of_class(causes, book.students.size()) +
           class_notes("Identical files",
-                      "Students who handed in the same bytes, which has many reasons",
+                      "The same bytes from several students, which may have many reasons",
                       identical_lines(book)) +
           class_notes("Ignored files", "Not graded, and why", ignored_lines(book)) +
           students(book, false, "<h2 id=\"attention\">Students who need attention</h2>") +

@@ -50,8 +50,7 @@ td:nth-child(n+4) a { color: inherit; text-decoration: none; display: block; } t
 td.mistakes { min-width: 16rem; max-width: 26rem; line-height: 1.35; } td.mistakes span { display: block; }
 details { border-top: 1px solid var(--line); } details:last-of-type { border-bottom: 1px solid var(--line); }
 summary { cursor: pointer; padding: .5rem 0; } summary b { margin-right: .5rem; }
-.body { padding: 0 0 1.5rem; }
-ul { margin: .25rem 0; padding-left: 1.25rem; }
+ul { margin: .25rem 0; padding-left: 1.25rem; } .body { padding-bottom: 1.5rem; }
 .mistakes-list { list-style: none; padding: 0; display: grid; gap: .5rem; max-width: 60rem; }
 .mistakes-list li { border-left: 4px solid var(--bad); background: var(--soft); border-radius: 0 6px 6px 0; padding: .5rem .75rem; }
 .mistakes-list li.part { border-color: var(--none); }
@@ -103,6 +102,12 @@ const text = element => element ? element.textContent : '';
 const table = one('table.results');
 if (table) {
   const heads = [...table.tHead.rows[0].cells], body = table.tBodies[0], states = ['passed', 'differs', 'missing', 'unreadable'];
+  // The links say what the picture they lead to says.
+  all('td > a', table).forEach(link => {
+    const card = document.getElementById(link.hash.slice(1)).closest('.card');
+    link.title = link.parentNode.className + (card ? ': ' + all('.why, p.dim', card).map(text).join('; ') : '');
+    link.ariaLabel = link.title;
+  });
   const key = (row, column) => {
     const cell = row.cells[column], state = states.findIndex(name => cell.classList.contains(name));
     return state + ' ' + (state > 0 ? cell.firstChild.ariaLabel : text(cell));
@@ -131,10 +136,6 @@ if (table) {
     table.scrollIntoView({block: 'nearest'});
     cause.focus();
   }));
-  table.addEventListener('mouseover', event => {
-    const labeled = event.target.closest('[aria-label]');
-    if (labeled) labeled.title = labeled.ariaLabel;
-  });
   filter();
 }
 

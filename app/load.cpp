@@ -16,6 +16,7 @@ LoadedScene load_scene(const std::string& path, const Options& options, LoadDept
   LoadSettings settings = options.load;
   settings.depth = depth;
   settings.allow_missing = allow_missing;
+  settings.materials = settings.materials || options.render.mode == Mode::path;
   settings.entering = [&](const char* phase) { context.phase = phase; };
   settings.for_each = [&](std::size_t count, const std::function<void(std::size_t)>& work) {
     for_each_index(count, options.render.threads, work);

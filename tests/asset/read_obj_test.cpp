@@ -101,7 +101,7 @@ TEST(ReadObj, ErrorsNameTheirPlace) {
       {"v 0 0 inf\n", "1:7 mesh.number \"inf\" in v is not a finite number"},
       {"v 0 1e99 0\n", "1:5 mesh.number \"1e99\" in v is too large"},
       {"v 0 0 0 red\n", "1:9 mesh.number \"red\" in v is not a finite number"},
-      {"vn 0 0x1 0\n", "1:6 mesh.number \"0x1\" in vn is not"},
+      {"v 0 0 0\nvn 0 0x1 0\n", "2:6 mesh.number \"0x1\" in vn is not"},
       {"vn 1 2\n", "1:1 mesh.number vn needs 3 numbers and has 2"},
       {"vt\n", "1:1 mesh.number vt needs 1 numbers and has 0"},
       {"# \xc3\xa9\xc3\xa9\n\tv 0 0 \xc3\xa9 0\n", "2:8 mesh.number"},

@@ -28,11 +28,11 @@ using Switch = bool CourseConfig::*;
 using Depth = std::optional<int> CourseConfig::*;
 struct Count {
   int CourseConfig::*number;
+  int most;
 };
 using Probability = float CourseConfig::*;
 
 constexpr int max_bounces = 64;
-constexpr int max_count = 65536;
 
 // What it means if a key is not given.
 enum class Absence : std::uint8_t { allowed, warning, error };
@@ -66,14 +66,15 @@ const std::array keys{
     Key{"Settings/only-render-normals", &CourseConfig::only_render_normals},
     Key{"Settings/imageWidth", &CourseConfig::width, ConfigKind::path, Absence::error},
     Key{"Settings/imageHeight", &CourseConfig::height, ConfigKind::path, Absence::error},
-    Key{"Settings/samplesPerPixel", Count{&CourseConfig::samples_per_pixel}, ConfigKind::path,
-        Absence::warning},
+    Key{"Settings/samplesPerPixel", Count{&CourseConfig::samples_per_pixel, 65536},
+        ConfigKind::path, Absence::warning},
     Key{"Settings/pathContinuationProb", &CourseConfig::path_continuation_prob, ConfigKind::path,
         Absence::warning},
     Key{"Settings/directLightingOnly", &CourseConfig::direct_lighting_only, ConfigKind::path,
         Absence::warning},
-    Key{"Settings/numDirectLightingSamples", Count{&CourseConfig::num_direct_lighting_samples},
-        ConfigKind::path, Absence::warning},
+    Key{"Settings/numDirectLightingSamples",
+        Count{&CourseConfig::num_direct_lighting_samples, 1024}, ConfigKind::path,
+        Absence::warning},
 };
 
 // A key for messages: "[IO] scene".
@@ -138,7 +139,7 @@ struct ConfigReader {
 
   void set(const IniEntry& entry, const Key& key, const Count& field) const {
     int number = 1;
-    if (read_number(entry, key, 0, max_count, number) && number == 0) {
+    if (read_number(entry, key, 0, field.most, number) && number == 0) {
       diagnostics.report(config_zero, entry.value_place,
                          fmt::format("0 for {} counts as 1", shown(key.name)));
     }

@@ -41,7 +41,7 @@ struct CourseConfig {
 
   // Paths, [Settings]. Counts that are 0 or not given are 1.
   int samples_per_pixel = 1;            ///< 1 to 65,536
-  int num_direct_lighting_samples = 1;  ///< points on lamps for each surface point, 1 to 65,536
+  int num_direct_lighting_samples = 1;  ///< points on lamps for each surface point, 1 to 1,024
   float path_continuation_prob = 0;     ///< of each bounce, 0 to 1; 0: none
   bool direct_lighting_only = false;
 

@@ -118,11 +118,8 @@ std::vector<UsedFile> used_files(const LoadedScene& scene, const AssetAccess& ac
                                  const Limits& limits) {
   std::vector<UsedFile> files{{scene.path, fmt::format("the scene {}", escaped(scene.path))}};
   for (const AssetFile& file : locate_files(scene, access, limits)) {
-    files.push_back(
-        {file.resolved.path,
-         fmt::format("the {} {} of the scene",
-                     file.kind == AssetKind::library ? "material library" : word_of(file.kind),
-                     escaped(file.reference.name))});
+    files.push_back({file.resolved.path, fmt::format("the {} {} of the scene", word_of(file.kind),
+                                                     escaped(file.reference.name))});
   }
   return files;
 }

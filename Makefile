@@ -100,6 +100,7 @@ realtime: ## REALTIME=DIR: compare with every picture of the assignment Realtime
 
 .PHONY: mistakes
 mistakes: ## count the right and wrong causes that diff names for pictures with planted mistakes; CORPUS=DIR: also for the course's scenes
+	@scripts/install-deps core tests
 	@$(MAKE) $(QUIET) configure-tests
 	$(call compile,scenefile)
 	$(call compile,scenefile_student)
@@ -110,6 +111,7 @@ mistakes: ## count the right and wrong causes that diff names for pictures with 
 
 .PHONY: realtime-mistakes
 realtime-mistakes: ## the same for pictures of the assignment Realtime
+	@scripts/install-deps core tests
 	@$(MAKE) $(QUIET) configure-tests
 	$(call compile,scenefile_realtime_mistakes)
 	@$(BUILD)/tests/student/scenefile_realtime_mistakes tests/student/scenes
@@ -121,16 +123,16 @@ realtime-mistakes: ## the same for pictures of the assignment Realtime
 driver: ## CORPUS=DIR: draw every scene of DIR as the course's driver does, and compare with render
 	@test -n "$(CORPUS)" || { echo "say where the corpus is: make driver CORPUS=DIR"; exit 2; }
 	@scripts/install-deps core tests
-	@$(MAKE) $(QUIET) configure
-	@cmake --build $(PRESET) --target scenefile_app_tests
+	@$(MAKE) $(QUIET) configure-tests
+	$(call compile,scenefile_app_tests)
 	@SCENEFILE_CORPUS="$(CORPUS)" $(BUILD)/tests/app/scenefile_app_tests --gtest_filter='Driver.*'
 
 .PHONY: explained
 explained: ## CORPUS=DIR: explain random pixels of every scene, and compare the sums with the pictures
 	@test -n "$(CORPUS)" || { echo "say where the scenes are: make explained CORPUS=DIR"; exit 2; }
 	@scripts/install-deps core tests
-	@$(MAKE) $(QUIET) configure
-	@cmake --build $(PRESET) --target scenefile_explained
+	@$(MAKE) $(QUIET) configure-tests
+	$(call compile,scenefile_explained)
 	@$(BUILD)/tests/conformance/scenefile_explained "$(CORPUS)" $(or $(PIXELS),100)
 
 .PHONY: engines

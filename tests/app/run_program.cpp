@@ -11,6 +11,8 @@
 #include <array>
 #include <chrono>
 #include <csignal>
+#include <ctime>
+#include <fstream>
 #include <thread>
 
 namespace scenefile::testing_support {
@@ -121,6 +123,37 @@ std::string scene_with(const std::string& material) {
   return text;
 }
 
+namespace {
+
+// Whether a process handles the signal, or has ended.
+bool handles(pid_t process, int signal) {
+  std::ifstream file("/proc/" + std::to_string(process) + "/status");
+  for (std::string line; std::getline(file, line);) {
+    if (line.rfind("State:\tZ", 0) == 0) {
+      return true;
+    }
+    if (line.rfind("SigCgt:", 0) == 0) {
+      return (std::stoull(line.substr(7), nullptr, 16) >> (signal - 1) & 1) != 0;
+    }
+  }
+  return true;
+}
+
+// Seconds of CPU time that a process has used.
+double cpu_time(pid_t process) {
+  clockid_t clock{};
+  timespec used{};
+  return ::clock_getcpuclockid(process, &clock) == 0 && ::clock_gettime(clock, &used) == 0
+             ? static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec)
+             : 0;
+}
+
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+}  // namespace
+
 ProgramRun run_program(const std::vector<std::string>& arguments, const RunSettings& settings) {
   const TempFolder folder;
   folder.write("in", settings.input);
@@ -132,19 +165,24 @@ ProgramRun run_program(const std::vector<std::string>& arguments, const RunSetti
   if (child == 0) {
     become_program(arguments, settings, folder, terminal);
   }
+  double before_signal = 0;
   if (settings.signal != 0) {
+    // On a busy machine, a program may take long to start.
+    while (!handles(child, settings.signal)) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
     std::this_thread::sleep_for(std::chrono::milliseconds(settings.delay_ms));
+    before_signal = cpu_time(child);
     ::kill(child, settings.signal);
   }
-  const auto sent = std::chrono::steady_clock::now();
   ProgramRun run;
   if (settings.terminal) {
     run.out = terminal.read_all();
   }
   int status = 0;
-  ::waitpid(child, &status, 0);
-  run.seconds_to_stop =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - sent).count();
+  rusage used{};
+  ::wait4(child, &status, 0, &used);
+  run.cpu_to_stop = seconds(used.ru_utime) + seconds(used.ru_stime) - before_signal;
   run.status = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
   run.out += folder.read("out");
   run.err = folder.read("err");

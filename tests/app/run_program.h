@@ -22,7 +22,7 @@ struct ProgramRun {
   int status = -1;  ///< exit status, or 1000 + the signal that killed it
   std::string out;
   std::string err;
-  double seconds_to_stop = 0;  ///< from the signal to the end of the program
+  double cpu_to_stop = 0;  ///< seconds of CPU time of all threads, from the signal to the end
 };
 
 struct RunSettings {
@@ -31,7 +31,7 @@ struct RunSettings {
   std::string out_file{};                  ///< standard output goes there instead
   std::string folder{};                    ///< working directory
   std::string program{};                   ///< a link to the program to start instead of it
-  int signal = 0;                          ///< sent after `delay_ms`
+  int signal = 0;  ///< sent `delay_ms` after the program has begun to handle it
   int delay_ms = 0;
   unsigned short columns = 0;         ///< of the terminal; 0: not reported
   bool terminal = false;              ///< standard output and error are a terminal; read as `out`

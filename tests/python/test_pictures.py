@@ -110,8 +110,8 @@ def test_progress_is_told_and_stops(scenes):
 def test_ctrl_c_stops(scenes):
     code = ("import scenefile, sys\n"
             f"scene = scenefile.read({str(scenes / 'showcase.xml')!r})\n"
-            "print('ready', flush=True)\n"
             "try:\n"
+            "    print('ready', flush=True)\n"
             "    scene.render(size=(4000, 3000), samples=64)\n"
             "except KeyboardInterrupt:\n"
             "    print('stopped')\n")

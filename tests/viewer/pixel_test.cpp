@@ -58,7 +58,7 @@ struct PixelTest : ::testing::Test {
   }
   void settle() {
     pass(0.8);
-    for (int i = 0; i < 400 && !settled(session); ++i) {
+    for (int i = 0; i < testing::patience && !settled(session); ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
       pass(0.05);
     }

@@ -115,7 +115,7 @@ TEST_F(ScenePainterTest, OtherPicturesComeAfterThoseOfTheWindow) {
   painter->ask_other(job(testing::scene_text, 16, 12, true));
   painter->ask(job(testing::scene_text, 81, 61));
   std::optional<Painted> other;
-  for (int i = 0; i < 12000 && !other; ++i) {
+  for (int i = 0; i < testing::patience && !other; ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     other = painter->take_other();
   }

@@ -40,7 +40,7 @@ struct SessionTest : ::testing::Test {
   }
   void settle() {
     pass(0.8);
-    for (int i = 0; i < 400 && !settled(session); ++i) {
+    for (int i = 0; i < testing::patience && !settled(session); ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
       pass(0.05);
     }
@@ -49,7 +49,8 @@ struct SessionTest : ::testing::Test {
   // Nothing draws the pictures that a comparison waits for.
   void settle_files() {
     pass(0.8);
-    for (int i = 0; i < 400 && (session.loading.busy() || session.reading.busy()); ++i) {
+    for (int i = 0; i < testing::patience && (session.loading.busy() || session.reading.busy());
+         ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
       pass(0.05);
     }

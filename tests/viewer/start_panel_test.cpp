@@ -45,7 +45,7 @@ struct StartPanelTest : ::testing::Test {
 
   // Draws no frames: thumbnails are wanted as the panel would want them.
   void settle() {
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < testing::patience; ++i) {
       if (session.start.open) {
         for (const Choice& choice : session.start.choices) {
           if (choice.kind == ChoiceKind::scene) {
@@ -147,7 +147,7 @@ TEST_F(StartPanelTest, AChangeOfTheFileDoesNotCloseIt) {
   perform(session, Action::open);
   const std::uint64_t version = session.version;
   folder.write("scenes/b.xml", testing::scene_text + "<!-- changed -->");
-  for (int i = 0; i < 1000 && session.version == version; ++i) {
+  for (int i = 0; i < testing::patience && session.version == version; ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     tick(session, time += 0.05);
   }

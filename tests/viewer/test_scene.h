@@ -10,6 +10,9 @@
 
 namespace scenefile::viewer::testing {
 
+/// How often tests look whether other threads are done, every 5 ms: a minute, for busy machines.
+constexpr int patience = 12000;
+
 /// A sphere at x = -1 and a cube at x = 1, seen from z = 6; a template with a cone, instantiated
 /// twice below them; two lights.
 inline const std::string scene_text = R"(<scenefile>

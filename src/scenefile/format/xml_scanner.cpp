@@ -36,10 +36,10 @@ constexpr std::array<std::uint8_t, 256> make_character_classes() {
                                   (special ? 0 : value_part) | (c == '-' ? 0 : comment_part) |
                                   (special || separator ? 0 : bare_part));
   }
-  for (const unsigned c : {' ', '\t', '\n', '\r'}) {
+  for (const unsigned char c : {' ', '\t', '\n', '\r'}) {
     classes[c] |= blank | name_end | comment_part;
   }
-  for (const unsigned c : {'=', '>', '/', '"', '\''}) {
+  for (const unsigned char c : {'=', '>', '/', '"', '\''}) {
     classes[c] |= name_end;
   }
   return classes;

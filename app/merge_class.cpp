@@ -1,6 +1,7 @@
 #include "app/grade_results.h"
 #include "app/load.h"
 #include "app/merge.h"
+#include "app/named_files.h"
 #include "app/output.h"
 #include "app/part_files.h"
 

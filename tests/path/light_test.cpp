@@ -259,6 +259,46 @@ TEST(PathLight, CoincidentFacesDoNotDarken) {
   expect_same_means(single, estimate(twice, options), 1);
 }
 
+// A lamp made of two faces at the same place shines to both sides, for paths and for light samples.
+TEST(PathLight, FacesBackToBackShineToBothSides) {
+  for (const bool below : {false, true}) {
+    for (const int light_samples : {0, 1}) {
+      Room room;
+      Model model;
+      const std::uint32_t white = model.material(diffuse(glm::vec3(0.5f)));
+      model.quad({-5, -1, 5}, {10, 0, 0}, {0, 0, -10}, white);
+      model.quad({-5, 1, -5}, {10, 0, 0}, {0, 0, 10}, white);
+      model.quad({-1, 0, -1}, {2, 0, 0}, {0, 0, 2},
+                 model.material(diffuse(glm::vec3(0), glm::vec3(1, 0, 0))));
+      const auto first = static_cast<std::uint32_t>(model.mesh.triangles.size() - 2);
+      const std::uint32_t blue = model.material(diffuse(glm::vec3(0), glm::vec3(0, 0, 2)));
+      for (std::uint32_t t = first; t < first + 2; ++t) {
+        const auto [a, b, c] = model.mesh.triangles[t];
+        model.mesh.triangles.push_back({b, a, c});
+        model.materials.of_triangle.push_back(blue);
+      }
+      room.add(model);
+      // Looks past the lamp, at the wall that it faces.
+      room.look({2, 0, 0}, {1.5, below ? -1 : 1, 0}, 1e-3);
+      RenderOptions options = path_options(1, 1, 8192);
+      options.max_depth = 1;
+      options.light_samples = light_samples;
+      const Image wall = draw(room, options).image;
+      room.look({0, below ? -0.9 : 0.9, 0}, {0, 0, 0}, 10);
+      options.samples = 1;
+      const Image lamp = draw(room, options).image;
+      const int shining = below ? 0 : 2;  // the red face is wound downward
+      EXPECT_EQ(lamp.rgb[shining], below ? 1 : 2);
+      EXPECT_EQ(lamp.rgb[2 - shining], 0);
+      EXPECT_EQ(wall.rgb[2 - shining], 0);
+      const double expected =
+          (below ? 1 : 2) * 0.5 / pi *
+          irradiance({{-2.5, -1, -1}, {-0.5, -1, -1}, {-0.5, -1, 1}, {-2.5, -1, 1}}, {0, 1, 0});
+      EXPECT_NEAR(wall.rgb[shining], expected, 5e-3 * expected) << below << light_samples;
+    }
+  }
+}
+
 // Lights of the file shine by the equation of mode ray.
 TEST(PathLight, SceneLightsAreThoseOfModeRay) {
   RenderMaterial m;

@@ -7,6 +7,10 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
+#include <map>
+#include <utility>
+
 namespace scenefile {
 
 struct PathScene {
@@ -17,6 +21,9 @@ struct PathScene {
   CameraRays camera;
   Transmission transmission;  ///< for shadow rays to the scene's lights
   Lamps lamps;
+  /// By mesh and triangle: the triangle at the same place that faces the other way and emits light.
+  /// Rays hit only the last of such faces, but a lamp may be made of two.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> other_faces;
 };
 
 /// A point of a surface on a path.

@@ -5,6 +5,9 @@
 #include "scenefile/trace/parts.h"
 #include "scenefile/trace/surface_color.h"
 
+#include <algorithm>
+#include <array>
+
 namespace scenefile {
 
 namespace {
@@ -36,6 +39,73 @@ Transmission transmission_of(const Tracer& tracer) {
     }
   }
   return Transmission(factors);
+}
+
+glm::vec3 corner_of(const Mesh& mesh, std::uint32_t triangle, int corner) {
+  return mesh.positions[mesh.triangles[triangle][corner]];
+}
+
+// The corners of a triangle in ascending order.
+std::array<std::array<float, 3>, 3> corner_set(const Mesh& mesh, std::uint32_t triangle) {
+  std::array<std::array<float, 3>, 3> corners;
+  for (int i = 0; i < 3; ++i) {
+    const glm::vec3 p = corner_of(mesh, triangle, i);
+    corners[i] = {p.x, p.y, p.z};
+  }
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+void find_other_faces(const Assets& assets, const Lamps& lamps, PathScene& scene) {
+  for (std::uint32_t m = 0; m < assets.mesh_materials.size(); ++m) {
+    const Mesh& mesh = assets.meshes[m];
+    const std::vector<std::uint32_t>& materials = assets.mesh_materials[m].of_triangle;
+    const auto normal = [&](std::uint32_t t) { return surface_at(mesh, t, 0, 0, false).normal; };
+    std::multimap<std::array<std::array<float, 3>, 3>, std::uint32_t> shining;
+    for (std::uint32_t t = 0; t < materials.size(); ++t) {
+      if (materials[t] != mesh_no_index && lamps.density(m, materials[t]) > 0) {
+        shining.emplace(corner_set(mesh, t), t);
+      }
+    }
+    for (std::uint32_t t = 0; t < materials.size() && !shining.empty(); ++t) {
+      const auto [first, last] = shining.equal_range(corner_set(mesh, t));
+      for (auto other = first; other != last; ++other) {
+        if (glm::dot(normal(t), normal(other->second)) < 0) {
+          scene.other_faces[{m, t}] = other->second;
+        }
+      }
+    }
+  }
+}
+
+// The same point on another triangle with the same corners.
+Hit on_triangle(const Mesh& mesh, std::uint32_t triangle, const Hit& hit) {
+  const double weights[3] = {1 - hit.b1 - hit.b2, hit.b1, hit.b2};
+  Hit result = hit;
+  result.triangle = triangle;
+  for (int i = 0; i < 3; ++i) {
+    const glm::vec3 corner = corner_of(mesh, hit.triangle, i);
+    if (corner == corner_of(mesh, triangle, 1)) {
+      result.b1 = weights[i];
+    } else if (corner == corner_of(mesh, triangle, 2)) {
+      result.b2 = weights[i];
+    }
+  }
+  return result;
+}
+
+SurfacePoint visible_surface(const PathScene& scene, const Ray& ray, const Hit& hit) {
+  const Tracer& tracer = scene.tracer;
+  const SurfacePoint point = surface_point(tracer.scene, tracer.assets, ray, hit, true);
+  if (scene.other_faces.empty() || hit.mesh == no_index ||
+      glm::dot(point.geometric, ray.direction) <= 0) {
+    return point;
+  }
+  const auto other = scene.other_faces.find({hit.mesh, hit.triangle});
+  return other == scene.other_faces.end()
+             ? point
+             : surface_point(tracer.scene, tracer.assets, ray,
+                             on_triangle(tracer.assets.meshes[hit.mesh], other->second, hit), true);
 }
 
 const FaceMaterial* face_material(const Assets& assets, const Hit& hit, std::uint32_t& index) {
@@ -71,11 +141,12 @@ Bsdf bsdf_of(const Tracer& tracer, const SurfacePoint& point) {
   const RenderMaterial& material = *point.material;
   const double specular = tracer.scene.global.specular;
   Bsdf bsdf;
-  bsdf.diffuse = diffuse_color(tracer, material, texture_color(tracer, point, {}, 1));
+  const auto positive = [](const Color& c) { return glm::max(c, Color(0)); };
+  bsdf.diffuse = positive(diffuse_color(tracer, material, texture_color(tracer, point, {}, 1)));
   bsdf.shininess = material.shininess;
-  bsdf.glossy = material.shininess > 0 ? specular * Color(material.specular) : Color(0);
-  bsdf.mirror = specular * Color(material.reflective);
-  bsdf.glass = tracer.transparency(material);
+  bsdf.glossy = positive(material.shininess > 0 ? specular * Color(material.specular) : Color(0));
+  bsdf.mirror = positive(specular * Color(material.reflective));
+  bsdf.glass = positive(tracer.transparency(material));
   bsdf.ior = material.ior;
   return bsdf;
 }
@@ -87,11 +158,14 @@ PathScene::PathScene(const TraceScene& traced, const RenderScene& scene, const R
       options(in_range(o)),
       camera(tracer.camera()),
       transmission(transmission_of(tracer)),
-      lamps(tracer.accelerator.parts(), tracer.assets, tracer.pyramids) {}
+      lamps(tracer.accelerator.parts(), tracer.assets, tracer.pyramids) {
+  find_other_faces(tracer.assets, lamps, *this);
+}
 
-PathPoint path_point(const PathScene& scene, const Ray& ray, const Hit& hit) {
+PathPoint path_point(const PathScene& scene, const Ray& ray, const Hit& ray_hit) {
   const Tracer& tracer = scene.tracer;
-  SurfacePoint surface = surface_point(tracer.scene, tracer.assets, ray, hit, true);
+  SurfacePoint surface = visible_surface(scene, ray, ray_hit);
+  const Hit& hit = surface.hit;
   PathPoint point;
   point.position = surface.position;
   point.offset = one::fine_offset(one::splat3(point.position), hit.t);

@@ -200,15 +200,17 @@ ExitCode run_render(const Options& given, Context& context) {
     say_error(report.error);
     return refused.status;
   }
-  LoadedScene scene = load_for_tracing(options, context);
-  Outcome outcome{status_of(scene), {}};
-  if (!excludes_path_mode(options) && scene.ready.scene.lights.empty() && has_lamps(scene.assets)) {
+  LoadedScene scene = load_scene(options.arguments.front(), options, depth_for(options.render),
+                                 options.load.allow_missing, context);
+  if (!excludes_path_mode(options) && lit_by_faces_only(scene)) {
     set_path_mode(options);
     report.options = options.render;
     if (!options.quiet && !options.json) {
       say("note: faces of this scene emit light, and it has no lights: using --mode path\n");
     }
   }
+  check_picture(scene, options.render);
+  Outcome outcome{status_of(scene), {}};
   if (const auto realtime = realtime_options(options);
       realtime && outcome.status == ExitCode::fine) {
     check_realtime(*realtime, scene);

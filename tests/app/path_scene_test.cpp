@@ -115,7 +115,7 @@ TEST_F(PathScene, InfoListsMaterialsInJson) {
 TEST_F(PathScene, OtherModesSayThatTheyDoNotDrawItsLight) {
   const std::string path = scene();
   const ProgramRun run =
-      run_program({"render", path, "--size", "4x4", "-o", folder.path("out.png")});
+      run_program({"render", path, "--mode", "ray", "--size", "4x4", "-o", folder.path("out.png")});
   EXPECT_EQ(run.status, 0);
   EXPECT_THAT(run.err, HasSubstr("which only --mode path draws [scene.no-light]"));
   EXPECT_THAT(run_program({"render", path, "--mode", "normals", "--size", "4x4", "-o",

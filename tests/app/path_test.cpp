@@ -57,9 +57,10 @@ TEST_F(PathCommand, FloatFilesAreLinearWhateverTheTone) {
   render("b.png", path + Words{"--tone", "none"});
   render("c.png", path + Words{"--tone", "none", "--exposure", "-2"});
   EXPECT_NE(folder.read("a.png"), folder.read("b.png"));
-  const Texture b = decode_image(folder.read("b.png")).value();
-  const Texture c = decode_image(folder.read("c.png")).value();
-  EXPECT_NEAR(b.texel(16, 12)[0] / 4.0, c.texel(16, 12)[0], 1);
+  const Result<Texture> b = decode_image(folder.read("b.png"));
+  const Result<Texture> c = decode_image(folder.read("c.png"));
+  ASSERT_TRUE(b && c);
+  EXPECT_NEAR(b->texel(16, 12)[0] / 4.0, c->texel(16, 12)[0], 1);
 }
 
 TEST_F(PathCommand, AnswersInJson) {

@@ -52,15 +52,6 @@ void draw_passes(const PathScene& scene, const PathControl& control, PathClock::
 
 }  // namespace
 
-bool has_lamps(const Assets& assets) {
-  return std::any_of(
-      assets.mesh_materials.begin(), assets.mesh_materials.end(), [](const MeshMaterials& mesh) {
-        return std::any_of(mesh.of_triangle.begin(), mesh.of_triangle.end(), [&](std::uint32_t m) {
-          return m != mesh_no_index && mesh.materials[m].emission != glm::vec3(0);
-        });
-      });
-}
-
 PathResult render_path(const RenderScene& scene, const Assets& assets, const RenderOptions& options,
                        const PathControl& control) {
   const PathClock::time_point start = PathClock::now();

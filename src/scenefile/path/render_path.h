@@ -25,9 +25,6 @@ struct PathResult {
   RenderStats stats;
 };
 
-/// Whether the faces of a mesh emit light, so that the scene is meant for a path tracer.
-bool has_lamps(const Assets& assets);
-
 /// Renders the scene with options.samples per pixel, fewer if the time is over; all else as
 /// render(). The picture only depends on scene, assets, options and the number of samples.
 PathResult render_path(const RenderScene& scene, const Assets& assets, const RenderOptions& options,

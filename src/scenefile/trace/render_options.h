@@ -23,9 +23,9 @@ constexpr std::string_view profile_word(Profile p) {
 /// `ray` traces rays recursively; `intersect` is the course's ray caster (no shadows, reflection,
 /// refraction or textures; in the course profile only directional lights); `normals` shows (n + 1)
 /// / 2 of the world normal; `path` traces paths of light, which only render_path() does
-/// (path/render_path.h), so it has no word.
+/// (path/render_path.h).
 enum class Mode : std::uint8_t { ray, intersect, normals, path };
-inline constexpr std::array<std::string_view, 3> mode_words{"ray", "intersect", "normals"};
+inline constexpr std::array<std::string_view, 4> mode_words{"ray", "intersect", "normals", "path"};
 constexpr std::string_view mode_word(Mode m) {
   return mode_words[static_cast<std::size_t>(m)];
 }

@@ -52,11 +52,6 @@ void ask(LoadedScene& scene, ViewQuestion question) {
   check_view(scene.ready.scene, scene.assets, question, scene.diagnostics);
 }
 
-// Whether it is a scene for the path tracer.
-bool lit_by_faces_only(const LoadedScene& scene) {
-  return scene.ready.scene.lights.empty() && has_emissive_faces(scene.assets);
-}
-
 // Whether the course's ray caster would use none of the scene's lights.
 bool dark_in_caster(const RenderOptions& options, const RenderScene& scene) {
   return options.profile == Profile::course && options.mode == Mode::intersect &&
@@ -105,6 +100,10 @@ void load_written(LoadedScene& scene, const FetchFile& fetch, const LoadSettings
       drop(scene_no_light, scene.diagnostics);
     }
   }
+}
+
+bool lit_by_faces_only(const LoadedScene& scene) {
+  return scene.ready.scene.lights.empty() && has_emissive_faces(scene.assets);
 }
 
 LoadDepth depth_for(const RenderOptions& options) {

@@ -56,6 +56,10 @@ LoadedScene load_scene(std::string path, std::string text, const FetchFile& fetc
 /// what was loaded before. New findings are added after the existing ones.
 void load_written(LoadedScene& scene, const FetchFile& fetch, const LoadSettings& settings = {});
 
+/// Whether the scene is meant for a path tracer: it has no lights, but faces of meshes that emit
+/// light.
+bool lit_by_faces_only(const LoadedScene& scene);
+
 /// Which assets a picture with these options needs.
 LoadDepth depth_for(const RenderOptions& options);
 

@@ -153,7 +153,7 @@ struct Outputs : ::testing::Test {
 const std::set<std::string> other_values{
     "",        "WxH",        "X,Y",     "NAME",   "N",   "LIST", "P1,P2",       "DEPTH",
     "DB",      "CODE",       "PERCENT", "FORMAT", "I/N", "A:B",  "X0,Y0,X1,Y1", "BYTES",
-    "SECONDS", "NAME=VALUE", "WHAT",    "SHELL",  "DIR"};
+    "SECONDS", "NAME=VALUE", "WHAT",    "SHELL",  "DIR", "P",    "STOPS",       "TEXT"};
 
 TEST(OutputsTable, HasEveryOptionThatNamesAFile) {
   const rapidjson::Document help = parse_json(run_program({"help", "--json"}).out);

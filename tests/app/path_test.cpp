@@ -86,8 +86,19 @@ TEST_F(PathCommand, TimeGivesTheSamplesThatReproduceIt) {
 }
 
 TEST_F(PathCommand, OptionsReachThePaths) {
+  // Light that one cube reflects to the other differs by all of these.
+  folder.write("scene.xml", R"(<scenefile><globaldata><ambientcoeff v="0.5"/><diffusecoeff v="1"/>
+<specularcoeff v="0.5"/></globaldata><cameradata><pos x="0" y="3" z="6"/><focus x="0" y="0" z="0"/>
+<up x="0" y="1" z="0"/><heightangle v="45"/></cameradata>
+<lightdata><id v="0"/><type v="point"/><color r="1" g="1" b="1"/><position x="3" y="4" z="4"/>
+<function a="1" b="0" c="0"/></lightdata>
+<object type="tree" name="root">
+<transblock><translate x="0" y="-1" z="0"/><scale x="6" y="1" z="6"/><object type="primitive"
+name="cube"><diffuse r="1" g="0.8" b="0.6"/></object></transblock>
+<transblock><object type="primitive" name="cube"><diffuse r="0.6" g="0.8" b="1"/></object></transblock>
+</object></scenefile>)");
   const Words path{"--mode", "path", "--samples", "2"};
-  render("a.pfm", path);
+  ASSERT_EQ(render("a.pfm", path).status, 0);
   const std::string usual = folder.read("a.pfm");
   for (const Words& more : {Words{"--seed", "1"}, Words{"--max-depth", "1"}, Words{"--direct-only"},
                             Words{"--clamp", "0.001"}, Words{"--continue", "0.5"}}) {
@@ -105,7 +116,7 @@ TEST_F(PathCommand, RefusesWhatItDoesNotHave) {
         Words{"--profile", "course"}, Words{"--profile", "realtime"}}) {
     const ProgramRun run = render("a.png", path + more);
     EXPECT_EQ(run.status, 2) << more[0] << run.err;
-    EXPECT_THAT(run.err, HasSubstr("--mode path")) << more[0];
+    EXPECT_THAT(run.err, HasSubstr("--mode")) << more[0];
   }
   for (const Words& more : {Words{"--light-samples", "2"}, Words{"--direct-only"},
                             Words{"--time", "1"}, Words{"--tone", "none"}}) {

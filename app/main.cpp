@@ -2,11 +2,11 @@
 // status.
 
 #include "app/command.h"
+#include "app/course_program.h"
 #include "app/help.h"
 #include "app/named_files.h"
 #include "app/option_table.h"
 #include "app/output.h"
-#include "app/projects_ray.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/recognize.h"
 #include "scenefile/io/interrupt.h"
@@ -27,12 +27,15 @@ namespace {
 constexpr std::array command_rows{
     Command{"render", for_render, "SCENE -o OUT", "draw a scene with the ray tracer",
             "Draws the scene to a picture. The file is written completely or not at all. The "
-            "picture does not depend on the number of threads.",
+            "picture does not depend on the number of threads. A configuration of the course's "
+            "programs, FILE.ini, stands for the scene and options that it names; options that are "
+            "given count more.",
             "scenefile render chess.xml -o chess.png\n"
             "scenefile render chess.xml -o chess.png --size 1920x1080 --samples 64\n"
             "scenefile render chess.xml -o chess.png --profile course --features shadows,reflect\n"
             "scenefile render chess.xml -o chess.png --engine gl\n"
             "scenefile render chess.xml -o parts/3.part --size 7680x4320 --part 3/64\n"
+            "scenefile render glossy.ini --samples 400\n"
             "scenefile render chess.xml -o chess.exr --asset-root ~/course/data\n"
             "cat chess.xml | scenefile render - -o - > chess.png",
             run_render},
@@ -201,9 +204,11 @@ void bound(const Options& options, Context& context) {
   }
 }
 
-ExitCode run_command(const Command& command, std::span<const char* const> words, Context& context) {
+ExitCode run_command(const Command& command, std::span<const char* const> words, Context& context,
+                     const Configured& configured) {
   Options options;
-  if (const std::string wrong = parse_options(command, words, options); !wrong.empty()) {
+  if (const std::string wrong = parse_options(command, words, options, configured);
+      !wrong.empty()) {
     return complain(wrong, command.name);
   }
   if (options.help) {
@@ -214,7 +219,19 @@ ExitCode run_command(const Command& command, std::span<const char* const> words,
     return ExitCode::usage;
   }
   bound(options, context);
-  return command.run(options, context);
+  if (configured.scene.empty()) {
+    return command.run(options, context);
+  }
+  say(findings_text(configured.file, options.quiet ? Verbosity::errors : Verbosity::warnings,
+                    wants_color(Stream::chatter)));
+  if (configured.kind == ConfigKind::path) {
+    make_output_folder(options);
+  }
+  const ExitCode status = command.run(options, context);
+  if (status == ExitCode::environment && !configured.scene.starts_with('/')) {
+    say("Relative paths of a configuration start at the working directory.\n");
+  }
+  return status;
 }
 
 ExitCode run(std::span<const char* const> words, Context& context) {
@@ -228,10 +245,29 @@ ExitCode run(std::span<const char* const> words, Context& context) {
   } else if (name == "--version") {
     name = "version";
   }
-  if (const Command* const command = find_command(name); command != nullptr) {
-    return run_command(*command, words.subspan(1), context);
+  const Command* const command = find_command(name);
+  if (command == nullptr) {
+    return complain(unknown_command(name), {});
   }
-  return complain(unknown_command(name), {});
+  words = words.subspan(1);
+  Configured configured;
+  if (const std::string path = config_argument(*command, words); !path.empty()) {
+    if (const ExitCode status = read_configuration(path, context, configured);
+        status != ExitCode::fine) {
+      return status;
+    }
+  }
+  return run_command(*command, words, context, configured);
+}
+
+// Under the name of one of the course's programs.
+ExitCode run_course_program(ConfigKind program, std::span<const char* const> words,
+                            Context& context) {
+  Configured configured;
+  const ExitCode status = read_course_arguments(program, words, context, configured);
+  return status != ExitCode::fine || configured.scene.empty()
+             ? status
+             : run_command(*find_command("render"), words, context, configured);
 }
 
 }  // namespace
@@ -268,8 +304,9 @@ int main(int argc, char** argv) {
   try {
     const std::span<const char* const> words{argv + std::min(argc, 1),
                                              static_cast<std::size_t>(std::max(argc - 1, 0))};
-    const bool driven = argc > 0 && is_projects_ray(argv[0]);
-    return static_cast<int>(driven ? run_projects_ray(words, context) : run(words, context));
+    const auto program = argc > 0 ? course_program(argv[0]) : std::nullopt;
+    return static_cast<int>(program ? run_course_program(*program, words, context)
+                                    : run(words, context));
   } catch (const std::bad_alloc&) {
     return static_cast<int>(out_of_memory(context));
   } catch (const std::exception& error) {

@@ -3,15 +3,18 @@
 #include "app/option_table.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/file.h"
+#include "scenefile/io/folder.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <span>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -103,6 +106,14 @@ Outcome check_named_outputs(const Options& options) {
     }
   }
   return {};
+}
+
+void make_output_folder(const Options& options) {
+  std::error_code ignored;
+  const std::string& scene = options.arguments.front();
+  if (!is_standard_output(options.output) && std::filesystem::exists(scene, ignored)) {
+    std::filesystem::create_directories(folder_of(options.output), ignored);
+  }
 }
 
 Outcome claim_outputs(std::span<const UsedFile> outputs, Context& context) {

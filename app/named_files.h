@@ -26,6 +26,10 @@ bool writes_files(const Options& options);
 /// (ExitCode::environment).
 Outcome check_named_outputs(const Options& options);
 
+/// Creates the folder of the output, if it is missing and the scene exists. Whether that worked
+/// shows when the output is claimed.
+void make_output_folder(const Options& options);
+
 /// Adds outputs that the options do not name to context.files, before the work starts and after all
 /// inputs are known. Returns an error for the first that would replace an input or another output
 /// (ExitCode::usage), or that cannot be written (ExitCode::environment).

@@ -193,10 +193,10 @@ std::string set_mode(Options& options, const std::string& value) {
   return wrong;
 }
 
-std::string set_lobe(Options& options, const std::string& value) {
+std::string set_convention(Options& options, const std::string& value) {
   std::size_t index = 0;
-  std::string wrong = set_choice("lobe", value, lobe_words, index);
-  options.render.lobe = static_cast<Lobe>(index);
+  std::string wrong = set_choice("convention", value, convention_words, index);
+  options.render.convention = static_cast<Convention>(index);
   return wrong;
 }
 
@@ -545,10 +545,11 @@ constexpr std::array option_rows{
                 return read_number(v, 0.01, 0.99, o.render.continuation);
               },
               "continuation"},
-    OptionRow{"--lobe", "", "NAME",
-              "With --mode path, for materials with both Kd and Ks: energy (default) adds both; "
-              "course uses the glossy lobe alone where Ks is brighter.",
-              for_render, set_lobe, "lobe"},
+    OptionRow{"--convention", "", "NAME",
+              "With --mode path: physics (default), or course: as the published pictures of the "
+              "course, in which light of lamps falls off with the distance instead of its square, "
+              "and materials with a bright Ks have no Kd.",
+              for_render, set_convention, "convention"},
     OptionRow{
         "--clamp", "", "N",
         "With --mode path: the maximum of indirect light in a sample. Removes bright specks, "
@@ -802,12 +803,18 @@ std::span<const std::string_view> words_of(const OptionRow& row) {
     std::span<const std::string_view> words;
   };
   const std::array sets{
-      Words{set_profile, profile_choices}, Words{set_engine, engine_words},
-      Words{set_filter, filter_words},     Words{set_milestone, milestone_words},
-      Words{set_mode, mode_words},         Words{set_features, feature_words()},
-      Words{set_layers, layer_words},      Words{set_to, format_words},
-      Words{set_compat, compat_words},     Words{set_completion, shell_words},
-      Words{set_lobe, lobe_words},         Words{set_tone, tone_words},
+      Words{set_profile, profile_choices},
+      Words{set_engine, engine_words},
+      Words{set_filter, filter_words},
+      Words{set_milestone, milestone_words},
+      Words{set_mode, mode_words},
+      Words{set_features, feature_words()},
+      Words{set_layers, layer_words},
+      Words{set_to, format_words},
+      Words{set_compat, compat_words},
+      Words{set_completion, shell_words},
+      Words{set_convention, convention_words},
+      Words{set_tone, tone_words},
   };
   const auto found =
       std::find_if(sets.begin(), sets.end(), [&](const Words& one) { return one.set == row.set; });

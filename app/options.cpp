@@ -1,6 +1,7 @@
 #include "app/options.h"
 
 #include "app/command.h"
+#include "app/course_program.h"
 #include "app/names.h"
 #include "app/option_table.h"
 #include "app/realtime.h"
@@ -43,6 +44,23 @@ void add_option(CLI::App& parser, const OptionRow& row, Options& options) {
           })
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->allow_extra_args(false);
+}
+
+bool has_option(const Command& command, std::string_view name) {
+  return std::any_of(option_table().begin(), option_table().end(), [&](const OptionRow& row) {
+    return row.name == name && (row.commands & command.bit) != 0;
+  });
+}
+
+void set_up(CLI::App& parser, const Command& command, Options& options) {
+  parser.set_help_flag();
+  parser.allow_extras();
+  parser.add_option("arguments", options.arguments);
+  for (const OptionRow& row : option_table()) {
+    if ((row.commands & command.bit) != 0) {
+      add_option(parser, row, options);
+    }
+  }
 }
 
 // Parses the given options, first those that affect the defaults of others.
@@ -242,7 +260,7 @@ std::string check_picture(const Options& options, std::string_view command) {
     return "--aov needs an output that ends in .exr (all layers in one file) or .png (a file for "
            "each)";
   }
-  return check_output(command, options.output);
+  return options.any_extension ? std::string() : check_output(command, options.output);
 }
 
 // Checks of render that need more than one option.
@@ -381,18 +399,18 @@ std::string check_together(const Command& command, Options& options) {
 }  // namespace
 
 std::string parse_options(const Command& command, std::span<const char* const> words,
-                          Options& options) {
-  CLI::App parser;
-  parser.set_help_flag();
-  parser.allow_extras();
-  parser.add_option("arguments", options.arguments);
-  for (const OptionRow& row : option_table()) {
-    if ((row.commands & command.bit) != 0) {
-      add_option(parser, row, options);
+                          Options& options, const Configured& configured) {
+  std::vector<std::string> all;
+  for (const std::string& word : configured.words) {
+    if (has_option(command, word.substr(0, word.find('=')))) {
+      all.push_back(word);
     }
   }
+  all.insert(all.end(), words.begin(), words.end());
+  CLI::App parser;
+  set_up(parser, command, options);
   try {
-    parser.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+    parser.parse(std::vector<std::string>(all.rbegin(), all.rend()));
   } catch (const CLI::ArgumentMismatch& error) {
     return missing_value(error.what());
   } catch (const CLI::ParseError& error) {
@@ -407,6 +425,13 @@ std::string parse_options(const Command& command, std::span<const char* const> w
   if (std::string wrong = set_given(options); !wrong.empty() || options.help) {
     return wrong;
   }
+  if (!configured.scene.empty()) {
+    options.arguments = {configured.scene};
+    if (options.output.empty() && has_option(command, "--output")) {
+      options.output = configured.output;
+      options.any_extension = true;
+    }
+  }
   if (std::string wrong = check_realtime_options(options); !wrong.empty()) {
     return wrong;
   }
@@ -419,6 +444,21 @@ std::string parse_options(const Command& command, std::span<const char* const> w
   options.load.compat_course =
       options.load.compat_course || options.render.profile == Profile::course || options.realtime;
   return check_together(command, options);
+}
+
+std::string config_argument(const Command& command, std::span<const char* const> words) {
+  Options options;
+  CLI::App parser;
+  set_up(parser, command, options);
+  try {
+    parser.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::ParseError&) {
+    return {};  // parse_options() reports it
+  }
+  return (command.bit & for_tracing) != 0 && options.arguments.size() == 1 &&
+                 is_config_name(options.arguments.front())
+             ? options.arguments.front()
+             : std::string();
 }
 
 bool was_given(const Options& options, std::string_view name) {

@@ -5,6 +5,7 @@
 #include "app/names.h"
 #include "scenefile/base/realtime.h"
 #include "scenefile/compare/measure.h"
+#include "scenefile/format/read_config.h"
 #include "scenefile/path/tone.h"
 #include "scenefile/trace/visit_options.h"
 #include "scenefile/verbs/findings.h"
@@ -47,11 +48,21 @@ struct GivenOption {
   std::string value;  ///< empty: a flag
 };
 
+/// A configuration of the course's programs as the words of a command.
+struct Configured {
+  LoadedScene file;  ///< name, text and findings
+  ConfigKind kind = ConfigKind::ray;
+  std::string scene;               ///< empty: there is no configuration
+  std::string output;              ///< the default of --output
+  std::vector<std::string> words;  ///< options such as "--samples=50"
+};
+
 struct Options {
   std::vector<std::string> arguments;  ///< scenes, or the topic of help
   std::vector<GivenOption> given;
 
   std::string output;
+  bool any_extension = false;  ///< `output` is a PNG if its extension is not known
   Engine engine = Engine::trace;
   bool realtime = false;           ///< --profile realtime; `engine` is then gl
   RealtimeOptions realtime_panel;  ///< for `realtime`
@@ -122,9 +133,14 @@ struct Options {
 };
 
 /// Parses the words after the command. Returns an error text, as a phrase that follows "scenefile:
-/// "; empty on success.
+/// "; empty on success. A configuration takes the place of the only argument; its options are those
+/// that the command has, and were not given in `words`.
 std::string parse_options(const Command& command, std::span<const char* const> words,
-                          Options& options);
+                          Options& options, const Configured& configured);
+
+/// The argument, if a command that draws pictures has only one and it is a configuration; otherwise
+/// empty.
+std::string config_argument(const Command& command, std::span<const char* const> words);
 
 /// Whether an option, such as "--samples", was given.
 bool was_given(const Options& options, std::string_view name);

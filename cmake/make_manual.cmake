@@ -19,6 +19,7 @@ foreach(i RANGE ${last})
   answer(man1/scenefile-${command}.1 --man ${command})
 endforeach()
 file(COPY ${CMAKE_CURRENT_LIST_DIR}/../packages/projects_ray.1 DESTINATION ${OUT}/man1)
+file(WRITE ${OUT}/man1/projects_path.1 ".so man1/projects_ray.1\n")
 
 # Compressed like all manual pages, without time or name.
 find_program(GZIP gzip REQUIRED)

@@ -1,5 +1,5 @@
-// The course's driver: it writes a configuration for each scene and calls projects_ray with it as
-// the only argument.
+// Configurations of the course, as the only argument of projects_ray and projects_path, as the
+// course's drivers call them, and as an argument of render.
 
 #include "app/run_program.h"
 #include "scenefile/asset/image_file.h"
@@ -206,6 +206,21 @@ TEST_F(Driver, AConfigurationOfThePathTracerIsRefused) {
                    "numDirectLightingSamples=1\n"));
   EXPECT_EQ(run.status, 1);
   EXPECT_THAT(run.err, HasSubstr("c.ini is a configuration of the path tracer"));
+  EXPECT_THAT(run.err, HasSubstr("use projects_path, or scenefile render"));
+}
+
+TEST_F(Driver, RenderTakesTheConfiguration) {
+  const std::string scene = folder.write("scene.xml", scene_of_all_features);
+  folder.write("checks.png", checks_png());
+  const std::string config =
+      folder.write("c.ini", config_text(scene, folder.path("out.png"), "reflect,texture"));
+  ASSERT_EQ(drive(config).status, 0);
+  const std::string driven = folder.read("out.png");
+  fs::remove(folder.path("out.png"));
+  EXPECT_EQ(run_program({"render", config}).status, 0);
+  EXPECT_EQ(folder.read("out.png"), driven);
+  const ProgramRun run = run_program({"explain", config, "--pixel", "20,15", "--json"});
+  EXPECT_STREQ(parse_json(run.out)["profile"].GetString(), "course") << run.err;
 }
 
 TEST_F(Driver, UnknownKeysAreWarnings) {
@@ -247,6 +262,137 @@ TEST_F(Driver, ExplainsItselfAndItsUse) {
   EXPECT_EQ(run_program({}, {.program = projects_ray}).status, 2);
   EXPECT_EQ(run_program({"a", "b"}, {.program = projects_ray}).status, 2);
   EXPECT_EQ(drive("/nowhere/c.ini").status, 3);
+}
+
+// A lamp over a floor, without lights.
+struct PathDriver : ::testing::Test {
+  PathDriver() {
+    folder.write("box.mtl",
+                 "newmtl white\nKd .7 .7 .7\nKs .1 .1 .1\nNs 9\nnewmtl lamp\nKe 3 3 3\n");
+    folder.write("box.obj",
+                 "mtllib box.mtl\nv -2 0 2\nv 2 0 2\nv 2 0 -2\nv -2 0 -2\n"
+                 "v -1 3 -1\nv 1 3 -1\nv 1 3 1\nv -1 3 1\n"
+                 "usemtl white\nf 1 2 3 4\nusemtl lamp\nf 5 6 7 8\n");
+    folder.write("lamp.xml", R"(<scenefile><cameradata><pos x="0" y="2" z="6"/>
+      <focus x="0" y="0" z="0"/><up x="0" y="1" z="0"/><heightangle v="45"/></cameradata>
+      <object type="tree" name="root"><transblock>
+      <object type="primitive" name="mesh" filename="box.obj"/></transblock></object></scenefile>)");
+  }
+
+  static std::string config(const std::string& more, const std::string& output = "out.png") {
+    return "[IO]\n    scene = lamp.xml\n    output = " + output +
+           "\n\n[Settings]\n    imageWidth = 32\n    imageHeight = 24\n" + more;
+  }
+  ProgramRun run(const Words& words, const std::string& program = "") const {
+    return run_program(words, {.folder = folder.path("."), .program = program});
+  }
+  // The picture of a configuration is that of render with these options.
+  void compare(const std::string& text, const Words& options) const {
+    folder.write("c.ini", config(text));
+    const ProgramRun driven = run({"c.ini"}, projects_path);
+    EXPECT_EQ(driven.status, 0) << driven.err;
+    const ProgramRun asked =
+        run(Words{"render", "lamp.xml", "-o", "asked.png", "--size", "32x24", "--mode", "path"} +
+            options);
+    EXPECT_EQ(asked.status, 0) << asked.err;
+    EXPECT_FALSE(folder.read("asked.png").empty());
+    EXPECT_TRUE(folder.read("out.png") == folder.read("asked.png")) << text;
+  }
+
+  const std::string projects_path = fs::path(SCENEFILE_PROGRAM).parent_path() / "projects_path";
+  TempFolder folder;
+};
+
+TEST_F(PathDriver, KeysAreOptions) {
+  compare("samplesPerPixel=3\npathContinuationProb=0.6\nnumDirectLightingSamples=2\n",
+          {"--samples", "3", "--continue", "0.6", "--light-samples", "2"});
+  compare("samplesPerPixel=4\npathContinuationProb=0.9\ndirectLightingOnly=true\n",
+          {"--samples", "4", "--continue", "0.9", "--direct-only"});
+  compare("samplesPerPixel=2\npathContinuationProb=1\n", {"--samples", "2", "--continue", "0.99"});
+  compare("samplesPerPixel=2\npathContinuationProb=1e-9\n",
+          {"--samples", "2", "--continue", "0.01"});
+  compare("samplesPerPixel=2\npathContinuationProb=0\n", {"--samples", "2", "--max-depth", "1"});
+  compare("", {"--samples", "1", "--max-depth", "1"});  // all defaults
+  compare("samplesPerPixel=0\nnumDirectLightingSamples=0\nraysPerBounce=7\n",
+          {"--samples", "1", "--max-depth", "1"});
+}
+
+TEST_F(PathDriver, WarnsOfKeysUnlessQuiet) {
+  folder.write("c.ini", config("samplesPerPixel=1\nraysPerBounce=7\n"));
+  const ProgramRun loud = run({"render", "c.ini"});
+  EXPECT_EQ(loud.status, 0);
+  EXPECT_THAT(loud.err,
+              AllOf(HasSubstr("unknown key [Settings] raysPerBounce"),
+                    HasSubstr("missing [Settings] pathContinuationProb; it counts as 0")));
+  const ProgramRun quiet = run({"render", "c.ini", "-q"});
+  EXPECT_EQ(quiet.status, 0);
+  EXPECT_EQ(quiet.err, "");
+}
+
+TEST_F(PathDriver, GivenOptionsCountMore) {
+  folder.write("c.ini", config("samplesPerPixel=3\npathContinuationProb=0.6\n", "a/b/out.png"));
+  ASSERT_EQ(run({"render", "c.ini", "--samples", "5", "-o", "other.pfm", "--size", "16x8"}).status,
+            0);
+  EXPECT_FALSE(fs::exists(folder.path("a")));
+  ASSERT_EQ(run({"render", "lamp.xml", "-o", "asked.pfm", "--mode", "path", "--size", "16x8",
+                 "--samples", "5", "--continue", "0.6"})
+                .status,
+            0);
+  EXPECT_EQ(folder.read("other.pfm"), folder.read("asked.pfm"));
+  EXPECT_EQ(parse_json(run({"render", "c.ini", "--json"}).out)["samples"].GetInt(), 3);
+}
+
+TEST_F(PathDriver, CreatesTheFolderOfTheOutput) {
+  folder.write("c.ini", config("samplesPerPixel=1\n", "student_outputs/final/a.png"));
+  const ProgramRun ran = run({"c.ini"}, projects_path);
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_TRUE(fs::exists(folder.path("student_outputs/final/a.png")));
+  folder.write("c.ini", config("samplesPerPixel=1\n", "lamp.xml/a.png"));
+  EXPECT_EQ(run({"c.ini"}, projects_path).status, 3);
+  fs::remove(folder.path("lamp.xml"));
+  folder.write("c.ini", config("samplesPerPixel=1\n", "new/a.png"));
+  const ProgramRun without = run({"c.ini"}, projects_path);
+  EXPECT_EQ(without.status, 3);
+  EXPECT_THAT(without.err, HasSubstr("start at the working directory"));
+  EXPECT_FALSE(fs::exists(folder.path("new")));
+}
+
+TEST_F(PathDriver, ReplacesNoInput) {
+  for (const std::string output : {"lamp.xml", "box.obj", "box.mtl", "c.ini"}) {
+    folder.write("c.ini", config("samplesPerPixel=1\n", output));
+    const std::string before = folder.read(output);
+    for (const ProgramRun& refused : {run({"c.ini"}, projects_path), run({"render", "c.ini"})}) {
+      EXPECT_EQ(refused.status, 2) << output << refused.err;
+    }
+    EXPECT_EQ(folder.read(output), before);
+  }
+}
+
+TEST_F(PathDriver, RefusesWhatIsNoConfigurationOfPaths) {
+  const std::string text = config_text("lamp.xml", "out.png", "");
+  folder.write("c.ini", text);
+  const ProgramRun other = run({"c.ini"}, projects_path);
+  EXPECT_EQ(other.status, 1);
+  EXPECT_THAT(other.err, HasSubstr("is a configuration of the ray tracer, not of the path tracer"));
+  const ProgramRun scene = run({"lamp.xml"}, projects_path);
+  EXPECT_EQ(scene.status, 1);
+  EXPECT_THAT(scene.err, HasSubstr("is a scene; projects_path takes a configuration"));
+  folder.write("c.ini", config("samplesPerPixel=-3\n"));
+  EXPECT_EQ(run({"render", "c.ini"}).status, 1);
+  folder.write("c.ini", "hello");
+  EXPECT_EQ(run({"render", "c.ini"}).status, 1);
+  EXPECT_EQ(run({"render", "nowhere.ini"}).status, 3);
+  EXPECT_FALSE(fs::exists(folder.path("out.png")));
+  const ProgramRun help = run({"--help"}, projects_path);
+  EXPECT_EQ(help.status, 0);
+  EXPECT_THAT(help.out, HasSubstr("samplesPerPixel"));
+}
+
+TEST_F(PathDriver, ConventionOfTheCourseChangesThePicture) {
+  folder.write("c.ini", config("samplesPerPixel=2\n"));
+  ASSERT_EQ(run({"render", "c.ini", "-o", "a.pfm"}).status, 0);
+  ASSERT_EQ(run({"render", "c.ini", "-o", "b.pfm", "--convention", "course"}).status, 0);
+  EXPECT_NE(folder.read("a.pfm"), folder.read("b.pfm"));
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ TEST_F(PathCommand, AnswersInJson) {
   EXPECT_EQ(json["samples"].GetInt(), 2);
   EXPECT_EQ(json["max_depth"].GetInt(), 0);
   EXPECT_EQ(json["light_samples"].GetInt(), 1);
-  EXPECT_STREQ(json["lobe"].GetString(), "energy");
+  EXPECT_STREQ(json["convention"].GetString(), "physics");
   EXPECT_FALSE(json.HasMember("features"));
   const rapidjson::Document ray = parse_json(render("a.png", {"--json"}).out);
   EXPECT_FALSE(ray.HasMember("light_samples"));

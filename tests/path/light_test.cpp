@@ -371,24 +371,44 @@ TEST(PathLight, ManySceneLightsAreSampledWithoutBias) {
   EXPECT_NEAR(mean_of(draw(room, options).image).x, one, 5e-3 * one);
 }
 
-TEST(PathLight, CourseLobeDropsDiffuseWhereSpecularIsBrighter) {
+// The lobe alone where Ks is brighter; lamps are paths' ends here, so their light is not sampled.
+TEST(PathCourse, DropsDiffuseWhereSpecularIsBrighter) {
   FaceMaterial m = diffuse(glm::vec3(0.4f));
   m.specular = glm::vec3(0.5f);
   m.shininess = 5;
-  m.emission = glm::vec3(0.1f);
-  RenderOptions options = path_options(4, 4, 1024);
+  RenderOptions options = path_options(4, 4, 64);
   options.max_depth = 1;
-  options.lobe = Lobe::course;
+  options.convention = Convention::course;
+  const auto lit = [&](FaceMaterial floor) {
+    Room room = closed_box(floor);
+    room.light(LightType::point, {0, 0.5, 0}, glm::vec3(0.6f));
+    return mean_of(draw(room, options).image).x;
+  };
   FaceMaterial alone = m;
   alone.diffuse = glm::vec3(0);
-  const double course = mean_of(draw(closed_box(m), options).image).x;
-  options.lobe = Lobe::energy;
-  EXPECT_NEAR(course, mean_of(draw(closed_box(alone), options).image).x, 1e-9);
-  EXPECT_GT(mean_of(draw(closed_box(m), options).image).x, course + 0.02);
+  const double course = lit(m);
+  EXPECT_EQ(course, lit(alone));
   m.specular = glm::vec3(0.3f);  // now diffuse reflection is brighter
-  const double energy = mean_of(draw(closed_box(m), options).image).x;
-  options.lobe = Lobe::course;
-  EXPECT_EQ(mean_of(draw(closed_box(m), options).image).x, energy);
+  const double both = lit(m);
+  options.convention = Convention::physics;
+  EXPECT_EQ(lit(m), both);
+  EXPECT_NEAR(lit(alone), course, 1e-12);
+  m.specular = glm::vec3(0.5f);
+  EXPECT_GT(lit(m), course + 0.02);
+}
+
+// A small lamp of two triangles at the height d: by 1/d instead of 1/d^2, and half of it.
+TEST(PathCourse, LightFallsOffWithTheDistance) {
+  for (const double d : {0.5, 2.0, 4.0}) {
+    const float at = static_cast<float>(d);
+    const Room room = under_lamp(0.8, {-0.01f, at, -0.01f}, {0.02f, 0, 0}, {0, 0, 0.02f}, 1000);
+    RenderOptions options = path_options(1, 1, 256);
+    options.max_depth = 1;
+    const double physics = mean_of(draw(room, options).image).x;
+    options.convention = Convention::course;
+    ASSERT_GT(physics, 0);
+    EXPECT_NEAR(mean_of(draw(room, options).image).x / physics, d / 2, 0.01 * d);
+  }
 }
 
 TEST(PathLight, MapsMultiplyColors) {

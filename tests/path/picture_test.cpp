@@ -168,7 +168,8 @@ TEST(PathPicture, EmptySceneIsBlack) {
 }
 
 TEST(PathPicture, OptionsSaySoWhereTheyHaveNoEffect) {
-  for (const char* const name : {"light_samples", "direct_only", "continuation", "lobe", "clamp"}) {
+  for (const char* const name :
+       {"light_samples", "direct_only", "continuation", "convention", "clamp"}) {
     EXPECT_TRUE(supports_option(Mode::path, support_of(name))) << name;
     EXPECT_FALSE(supports_option(Mode::ray, support_of(name))) << name;
   }

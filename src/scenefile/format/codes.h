@@ -473,7 +473,7 @@ inline constexpr Code write_nesting_limit{"write.nesting-limit", Severity::error
                                           "other format writes flat may need several levels here.",
                                           CodeKind::limit};
 
-// Configuration files of the course's ray tracer.
+// Configuration files of the course's programs.
 
 inline constexpr Code config_syntax{
     "config.syntax", Severity::error, "a line of the configuration cannot be read",

@@ -75,6 +75,10 @@ class Path {
     return points_(use, bounce_, part, parts, index);
   }
 
+  bool course() const { return options_.convention == Convention::course; }
+  // Light that falls off with the distance is only found by light samples.
+  bool uses_mis() const { return options_.mis && !course(); }
+
   // Adds light that was reflected or refracted `times` times.
   void add(int times, const Color& light) {
     (times < 2 ? direct_ : indirect_) += throughput_ * light;
@@ -101,7 +105,7 @@ class Path {
     const double cosine = glm::dot(point.facing.geometric, point.facing.to_eye);
     const double by_lamps =
         options_.light_samples * point.lamp_density * distance * distance / cosine;
-    return options_.mis ? mis_weight(density_, by_lamps) * point.emission : Color(0);
+    return uses_mis() ? mis_weight(density_, by_lamps) * point.emission : Color(0);
   }
 
   Color lamp_light(const PathPoint& point) const {
@@ -117,8 +121,10 @@ class Path {
         continue;
       }
       const BsdfValue value = evaluate(point.bsdf, point.facing, to_light);
-      const double density = count * lamp.density * distance * distance / cosine;
-      const double weight = options_.mis ? mis_weight(density, value.density) : 1;
+      const double falloff =
+          course() ? distance * double(scene_.lamps.size()) : distance * distance;
+      const double density = count * lamp.density * falloff / cosine;
+      const double weight = uses_mis() ? mis_weight(density, value.density) : 1;
       const Color light = weight / density * value.light * lamp.emission;
       if (light != Color(0)) {
         sum += arriving_share(point, to_light, distance, opaque_) * light;

@@ -182,7 +182,7 @@ PathPoint path_point(const PathScene& scene, const Ray& ray, const Hit& ray_hit)
       point.lamp_density = scene.lamps.density(hit.mesh, index);
     }
   }
-  if (scene.options.lobe == Lobe::course &&
+  if (scene.options.convention == Convention::course &&
       luminance(point.bsdf.glossy) > luminance(point.bsdf.diffuse)) {
     point.bsdf.diffuse = Color(0);
   }

@@ -64,13 +64,12 @@ struct Layer {
   friend bool operator==(const Layer&, const Layer&) = default;
 };
 
-/// How the path tracer treats materials with both Kd and Ks: `energy` adds the glossy lobe to
-/// diffuse reflection; `course` uses the lobe alone where Ks is brighter than Kd, as the pictures
-/// of the course do.
-enum class Lobe : std::uint8_t { energy, course };
-inline constexpr std::array<std::string_view, 2> lobe_words{"energy", "course"};
-constexpr std::string_view lobe_word(Lobe l) {
-  return lobe_words[static_cast<std::size_t>(l)];
+/// What mode path computes: light as in `physics`, or as in the pictures that the `course`
+/// published for the assignment Path. docs/path.md lists the differences.
+enum class Convention : std::uint8_t { physics, course };
+inline constexpr std::array<std::string_view, 2> convention_words{"physics", "course"};
+constexpr std::string_view convention_word(Convention c) {
+  return convention_words[static_cast<std::size_t>(c)];
 }
 
 /// Part of a picture: x0 <= x < x1, y0 <= y < y1, row 0 at the top.
@@ -109,7 +108,7 @@ struct RenderOptions {
   bool mis = true;           ///< false: lamps are found by light samples only, except by mirrors
   bool direct_only = false;  ///< without light that was reflected before
   double continuation = 0;   ///< probability that a path goes on; 0: chosen by its throughput
-  Lobe lobe = Lobe::energy;
+  Convention convention = Convention::physics;
   double clamp = 0;  ///< maximum of indirect light in a sample; 0: none
 };
 

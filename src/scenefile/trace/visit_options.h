@@ -75,7 +75,7 @@ concept OptionsOf = std::same_as<std::remove_const_t<T>, Struct>;
 template <OptionsOf<RenderOptions> T, typename Visit>
 constexpr void visit_options(T& options, Visit&& visit) {
   auto& [profile, mode, features, width, height, samples, min_samples, max_depth, seed, fresnel,
-         threads, crop, layers, denoise, light_samples, mis, direct_only, continuation, lobe,
+         threads, crop, layers, denoise, light_samples, mis, direct_only, continuation, convention,
          clamp] = options;
   visit(OptionField{.name = "width", .least = 1}, width);
   visit(OptionField{.name = "height", .least = 1}, height);
@@ -101,7 +101,7 @@ constexpr void visit_options(T& options, Visit&& visit) {
   visit(OptionField{"mis", path_only}, mis);
   visit(OptionField{"direct_only", path_only}, direct_only);
   visit(OptionField{"continuation", path_only}, continuation);
-  visit(OptionField{"lobe", path_only}, lobe);
+  visit(OptionField{"convention", path_only}, convention);
   visit(OptionField{"clamp", path_only}, clamp);
 }
 

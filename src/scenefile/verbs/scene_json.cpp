@@ -44,8 +44,8 @@ void add_option(Json& json, Profile profile) {
 void add_option(Json& json, Mode mode) {
   json.value(mode_word(mode));
 }
-void add_option(Json& json, Lobe lobe) {
-  json.value(lobe_word(lobe));
+void add_option(Json& json, Convention convention) {
+  json.value(convention_word(convention));
 }
 void add_option(Json& json, const Features& features) {
   json.begin_array();

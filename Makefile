@@ -303,12 +303,13 @@ interchange: build ## CORPUS=DIR: exported scenes pass the Khronos validator, an
 	  $(BUILD)/scenefile scenes $(CORPUS)
 
 .PHONY: python
-python: ## build the Python module, build/python/python/scenefile, and test it
+python: ## build the Python module, build/release/python/scenefile, and test it
 	@scripts/install-deps core tests python
-	$(call quietly,cmake --preset python)
-	@cmake --build --preset python --target scenefile scenefile_python
-	@ctest --test-dir build/python --output-on-failure -L python --output-junit tests.xml; status=$$?; \
-	  scripts/test-summary build/python/tests.xml && exit $$status
+	@$(MAKE) $(QUIET) configure-tests
+	@grep -qs SCENEFILE_PYTHON:BOOL=ON $(BUILD)/CMakeCache.txt || cmake $(PRESET) -DSCENEFILE_PYTHON=ON > /dev/null
+	@cmake --build $(PRESET) --target scenefile scenefile_python
+	@ctest --test-dir $(BUILD) --output-on-failure -L python --output-junit python.xml; status=$$?; \
+	  scripts/test-summary $(BUILD)/python.xml && exit $$status
 
 .PHONY: packages packages-tried
 packages: ## create Debian packages for this system, and an archive for others: out/packages

@@ -11,7 +11,8 @@ target_compile_options(scenefile_options INTERFACE
   # Code for any number of lanes combines masks with &; with one lane they are bool.
   $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>
   # These warnings would be about code from other sources of the same unit.
-  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wno-shadow;-Wno-subobject-linkage>
+  $<$<BOOL:${CMAKE_UNITY_BUILD}>:-Wno-shadow>
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wno-subobject-linkage>
   # GCC collects garbage only above 512 MB: large units compile up to 8 % faster.
   $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=524288>
   # No fused multiply-add, so that all compilers give the same bytes.

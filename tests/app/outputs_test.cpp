@@ -32,7 +32,8 @@ struct Writer {
   std::string target;  // a file that it writes
 };
 
-const std::vector<std::string> scene_files{"scene.xml", "image/bricks.png", "mesh/tri.obj"};
+const std::vector<std::string> scene_files{"scene.xml", "image/bricks.png", "mesh/tri.obj",
+                                           "mesh/tri.mtl", "mesh/map.png"};
 const std::vector<std::string> class_files{"refs/ball.png",    "refs/ball.xml",
                                            "map.csv",          "references.tsv",
                                            "image/bricks.png", "class/ann/sphere.png"};
@@ -110,7 +111,8 @@ struct Outputs : ::testing::Test {
         R"(<diffuse r="1" g="0.5" b="0"/><blend v="1"/><texture file="image/bricks.png" u="1" v="1"/>)");
     folder.write("flat.xml", good_scene);
     EXPECT_EQ(run({"render", "flat.xml", "-o", "a.png", "--size", "8x6"}).status, 0);
-    for (const char* const name : {"image/bricks.png", "model/bricks.png", "refs/ball.png"}) {
+    for (const char* const name :
+         {"image/bricks.png", "mesh/map.png", "model/bricks.png", "refs/ball.png"}) {
       folder.write(name, folder.read("a.png"));
     }
     folder.write("refs/ball.xml", scene);
@@ -119,7 +121,8 @@ struct Outputs : ::testing::Test {
     scene.replace(scene.find("</transblock>"), 13, "</transblock>\n<transblock>" + mesh);
     folder.write("scene.xml", scene);
     const std::string triangle = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n";
-    folder.write("mesh/tri.obj", triangle);
+    folder.write("mesh/tri.obj", "mtllib none.mtl tri.mtl\nusemtl m\n" + triangle);
+    folder.write("mesh/tri.mtl", "newmtl m\nKd 1 1 1\nmap_Kd map.png\n");
     folder.write("model/box.obj", "mtllib box.mtl\nusemtl m\n" + triangle);
     folder.write("model/box.mtl", "newmtl m\nKd 1 1 1\nmap_Kd bricks.png\n");
     folder.write("views.json", R"({"fps": 2, "views": [{"time": 0}, {"time": 1,

@@ -69,6 +69,16 @@ def dead_links():
     return dead, count
 
 
+SCENE_OF_PATH = SCENE[:SCENE.index("<lightdata>")] + SCENE[SCENE.rindex("</lightdata>") + len("</lightdata>"):]
+SCENE_OF_PATH = re.sub(r'<object type="primitive".*?</object>',
+                       '<object type="primitive" name="mesh" filename="box.obj"/>', SCENE_OF_PATH, flags=re.S)
+BOX = """mtllib box.mtl
+v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1
+v -1 2 -1\nv 1 2 -1\nv 1 2 1\nv -1 2 1
+usemtl wall\nf 1 2 3 4\nusemtl lamp\nf 5 6 7 8
+"""
+
+
 def commands():
     """Page, line number and text of each command shown."""
     for page in PAGES:
@@ -113,6 +123,9 @@ def make_files(folder, program):
     for part in (1, 2):
         run("render", "scene.xml", "-o", f"parts/{part}.part", "--part", f"{part}/2", "--size", "64x48")
     (folder / "cameras.json").write_text('{"views": [{"position": [3, 2, 4], "focus": [0, 0, 0]}, {"time": 4, "position": [4, 2, 3]}]}')
+    (folder / "CornellBox.xml").write_text(SCENE_OF_PATH)
+    (folder / "box.obj").write_text(BOX)
+    (folder / "box.mtl").write_text("newmtl lamp\nKe 5 5 5\nnewmtl wall\nKd .8 .8 .8\n")
     for place in ("submissions", "handed-in", "class"):
         (folder / place / "ada").mkdir(parents=True)
         shutil.copy(folder / "mine.png", folder / place / "ada" / "chess.png")
@@ -148,7 +161,7 @@ def run_commands(program):
             elif re.search(r"\| (fish|source|man)\b|\| source", command):
                 line = command.split("|")[0]
             elif re.match(r"scenefile frames\b", command):
-                line = re.sub(r" --video \S+", "", command) + " --size 32x24"
+                line = re.sub(r" --video \S+", "" if " -o " in command else " -o frame%04d.png", command) + " --size 32x24"
             count += 1
             try:
                 run = subprocess.run(["bash", "-c", line], cwd=folder, env=environment, stdin=subprocess.DEVNULL,

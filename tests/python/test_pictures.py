@@ -194,7 +194,7 @@ def test_compare_refuses_what_is_no_picture(ball):
         scenefile.compare(3, ball)
     with pytest.raises(ValueError, match="height x width"):
         scenefile.compare(np.zeros((2, 2, 2), np.uint8), np.zeros((2, 2, 2), np.uint8))
-    with pytest.raises(ValueError, match="cannot decode"):
+    with pytest.raises(ValueError, match="is a scene, not a picture"):
         scenefile.compare(ball, ball)
 
 
@@ -247,13 +247,11 @@ def test_a_thousand_renders_leave_nothing_behind(ball):
     assert grown < 2_000_000, f"{grown} bytes in 1,000 renders"
 
 
-def test_import_is_fast_and_light():
-    code = ("import sys, time\n"
-            "start = time.process_time()\n"
+def test_import_is_light():
+    code = ("import sys\n"
+            "before = set(sys.modules)\n"
             "import scenefile\n"
-            "took = time.process_time() - start\n"
-            "assert 'numpy' not in sys.modules\n"
-            "print(took)\n")
-    best = min(float(subprocess.run([sys.executable, "-c", code], check=True, capture_output=True,
-                                    text=True).stdout) for _ in range(5))
-    assert best <= 0.02, f"{best * 1000:.1f} ms"
+            "print(*(set(sys.modules) - before))\n")
+    loaded = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout.split()
+    assert "numpy" not in loaded
+    assert len(loaded) <= 8, loaded

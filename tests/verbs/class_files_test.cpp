@@ -105,6 +105,8 @@ TEST(ClassFiles, FoldersArchivesAndNamesOfCourseSystems) {
   folder.write("Ann Lee_99_assignsubmission_file_/ball.png");
   folder.write("ball.png");
   folder.write("picture_of_me.png");
+  folder.write("Screenshot_2024_11_12_ball.png");
+  folder.write("IMG_20241112_134500_ball.png");
   folder.write("list.pdf");
   expect_rows(found_in(folder.path()),
               {{"gina.zip/ball.png", "gina/ball"},
@@ -138,6 +140,8 @@ TEST(ClassFiles, FoldersArchivesAndNamesOfCourseSystems) {
                {"Ann Lee_99_assignsubmission_file_/ball.png", "Ann Lee/ball"},
                {"ball.png", "() its name does not say whose picture it is"},
                {"picture_of_me.png", "() its name does not say whose picture it is"},
+               {"Screenshot_2024_11_12_ball.png", "() its name does not say whose picture it is"},
+               {"IMG_20241112_134500_ball.png", "() its name does not say whose picture it is"},
                {"list.pdf", "() pictures of this kind are not read: use .png"}});
   std::vector<std::string> names;
   for (const StudentFiles& student : find_class_files(folder.path(), references(usual)).students) {

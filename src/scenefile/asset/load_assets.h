@@ -42,7 +42,8 @@ struct Assets {
   std::vector<Mesh> meshes;  ///< without triangles if the file could not be used
   /// As meshes; empty if LoadOptions::materials was not set.
   std::vector<MeshMaterials> mesh_materials;
-  std::vector<MeshReference> mesh_references;  ///< each file once, also missing ones
+  /// Each file once, also missing ones; empty if LoadOptions::materials was not set.
+  std::vector<MeshReference> mesh_references;
 };
 
 /// Whether a mesh has a face that emits light.
@@ -80,5 +81,10 @@ struct LoadOptions {
 Assets load_assets(std::span<const FileReference> texture_files,
                    std::span<const FileReference> mesh_files, const FetchFile& fetch,
                    const LoadOptions& options, Diagnostics& diagnostics);
+
+/// The libraries that a mesh names and their maps, without reading the mesh: for a command that
+/// does not use materials but must not replace their files. `obj` is the text of `mesh`.
+std::vector<MeshReference> files_named_by_mesh(const std::string& mesh, std::string_view obj,
+                                               const FetchFile& fetch, const Limits& limits);
 
 }  // namespace scenefile

@@ -1,6 +1,7 @@
 #include "scenefile/asset/material_loader.h"
 
 #include "scenefile/asset/codes.h"
+#include "scenefile/asset/obj_words.h"
 #include "scenefile/base/number.h"
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace scenefile {
@@ -23,6 +25,43 @@ std::string next_to(const std::string& mesh, const std::string& name) {
 }
 
 }  // namespace
+
+std::vector<MeshReference> files_named_by_mesh(const std::string& mesh, std::string_view obj,
+                                               const FetchFile& fetch, const Limits& limits) {
+  std::vector<MeshReference> files;
+  std::uint64_t budget = limits.mesh_bytes;
+  Diagnostics ignored(limits);
+  std::set<std::string> known;
+  // Searching is much faster than reading the statements between.
+  constexpr std::string_view keyword = "mtllib";
+  for (std::size_t at = obj.find(keyword); at != std::string_view::npos;
+       at = obj.find(keyword, at + keyword.size())) {
+    ObjWords words(obj.substr(at));
+    words.next_statement();
+    if (words.next_word() != keyword) {
+      continue;
+    }
+    for (const FileReference& name : library_names(words)) {
+      const std::string library = next_to(mesh, name.name);
+      if (!known.insert(library).second) {
+        continue;
+      }
+      files.push_back({AssetKind::library, {library, {}}, mesh});
+      const Result<std::string> text = fetch(library);
+      const std::vector<MtlMaterial> materials =
+          text ? read_mtl(*text, library, limits, budget, ignored) : std::vector<MtlMaterial>();
+      for (const MtlMaterial& material : materials) {
+        for (const FileReference* map :
+             {&material.diffuse_map, &material.specular_map, &material.emission_map}) {
+          if (!map->name.empty()) {
+            files.push_back({AssetKind::texture, {next_to(mesh, map->name), {}}, library});
+          }
+        }
+      }
+    }
+  }
+  return files;
+}
 
 MaterialLoader::MaterialLoader(const FetchFile& fetch, const Limits& limits,
                                std::uint64_t& byte_budget,

@@ -2,6 +2,8 @@
 
 #include "scenefile/base/text.h"
 
+#include <string>
+
 namespace scenefile {
 
 namespace {
@@ -119,6 +121,25 @@ Location ObjWords::location(std::string_view word) const {
   const std::size_t before =
       count_code_points(text_.substr(line_start_, counted)) + (bytes - counted);
   return {line_, static_cast<std::uint32_t>(before + 1)};
+}
+
+std::vector<FileReference> library_names(ObjWords& words) {
+  std::vector<FileReference> names;
+  const std::string_view first = words.next_word();
+  if (first.empty()) {
+    return names;
+  }
+  const Location location = words.location(first);
+  const std::string_view line = words.rest(first);
+  for (ObjWords each(line); each.next_statement();) {
+    for (std::string_view word = each.next_word(); !word.empty(); word = each.next_word()) {
+      names.push_back({std::string(word), location});
+    }
+  }
+  if (names.empty() || names.front().name != line) {
+    names.push_back({std::string(line), location});
+  }
+  return names;
 }
 
 }  // namespace scenefile

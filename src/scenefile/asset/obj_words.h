@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 namespace scenefile {
 
@@ -41,5 +42,9 @@ class ObjWords {
   std::uint32_t line_ = 1;
   bool inside_ = false;  // inside a statement
 };
+
+/// The names after the word mtllib, in order of priority; the last may be the whole line, for a
+/// name that holds blanks. Empty if there are none.
+std::vector<FileReference> library_names(ObjWords& words);
 
 }  // namespace scenefile

@@ -315,18 +315,14 @@ class ObjReader {
   }
 
   // The rest of the statement.
-  FileReference read_name(std::string_view first) {
-    const Location location = words_.location(first);
-    return {std::string(words_.rest(first)), location};
-  }
-
   void use_material() {
     const std::string_view first = words_.next_word();
     if (materials_ == nullptr || first.empty()) {
       material_ = mesh_no_index;
       return;
     }
-    FileReference name = read_name(first);
+    const Location location = words_.location(first);
+    FileReference name{std::string(words_.rest(first)), location};
     const auto [entry, is_new] =
         numbers_.try_emplace(name.name, static_cast<std::uint32_t>(written_.names.size()));
     material_ = entry->second;
@@ -336,19 +332,11 @@ class ObjReader {
   }
 
   void add_library() {
-    const std::string_view first = words_.next_word();
-    if (materials_ == nullptr || first.empty()) {
+    if (materials_ == nullptr) {
       return;
     }
-    std::vector<FileReference>& names = written_.libraries.emplace_back();
-    FileReference line = read_name(first);
-    for (ObjWords words(line.name); words.next_statement();) {
-      for (std::string_view word = words.next_word(); !word.empty(); word = words.next_word()) {
-        names.push_back({std::string(word), line.location});
-      }
-    }
-    if (names.empty() || names.front().name != line.name) {
-      names.push_back(std::move(line));
+    if (std::vector<FileReference> names = library_names(words_); !names.empty()) {
+      written_.libraries.push_back(std::move(names));
     }
   }
 

@@ -32,9 +32,17 @@ std::vector<std::string_view> split(std::string_view text) {
   return parts;
 }
 
+// Whether two numbers begin a date, as in Screenshot_2024_11_12_x.png and
+// IMG_20241112_134500_x.png.
+bool is_date(std::string_view first, std::string_view second) {
+  const bool year = first.starts_with("19") || first.starts_with("20");
+  const std::string_view month = first.size() == 8 ? first.substr(4, 2) : second;
+  return year && (first.size() == 4 || first.size() == 8) && number_of(month) <= 12;
+}
+
 // NAME_[LATE_]USER_FILE_ORIGINAL, or NAME_[LATE_]USER_text.html for what was typed. The first two
-// numbers are the user and the file, as Canvas itself reads these names. Without names: anon, and
-// five letters and digits for the user.
+// numbers are the user and the file, as Canvas itself reads these names. Without names:
+// anon, and five letters and digits for the user.
 bool read_canvas(std::string_view name, CourseSystemName& result) {
   const std::vector<std::string_view> parts = split(name);
   std::size_t user = 1;
@@ -57,7 +65,8 @@ bool read_canvas(std::string_view name, CourseSystemName& result) {
   const auto start = [&](std::size_t part) {
     return static_cast<std::size_t>(parts[part].data() - name.data());
   };
-  if (names == 0 || start(names) < 2 || is_number(name.substr(0, start(names) - 1))) {
+  if (names == 0 || start(names) < 2 || is_number(name.substr(0, start(names) - 1)) ||
+      (!typed && is_date(parts[user], parts[user + 1]))) {
     return false;
   }
   result.name = name.substr(0, start(names) - 1);

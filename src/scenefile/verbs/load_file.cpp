@@ -117,9 +117,25 @@ std::vector<AssetFile> locate_files(const LoadedScene& scene, const AssetAccess&
 std::vector<UsedFile> used_files(const LoadedScene& scene, const AssetAccess& access,
                                  const Limits& limits) {
   std::vector<UsedFile> files{{scene.path, fmt::format("the scene {}", escaped(scene.path))}};
+  const auto add = [&](AssetKind kind, const std::string& name, const std::string& place) {
+    files.push_back({place, fmt::format("the {} {} of the scene", word_of(kind), escaped(name))});
+  };
   for (const AssetFile& file : locate_files(scene, access, limits)) {
-    files.push_back({file.resolved.path, fmt::format("the {} {} of the scene", word_of(file.kind),
-                                                     escaped(file.reference.name))});
+    add(file.kind, file.reference.name, file.resolved.path);
+  }
+  if (!scene.assets.mesh_materials.empty()) {
+    return files;  // with those that the meshes name
+  }
+  AssetRoots roots(asset_roots_options(scene.path, access, limits));
+  const FetchFile fetch = [&](const std::string& name) { return roots.read(name); };
+  for (const FileReference& mesh : scene.ready.scene.mesh_files) {
+    const Result<std::string> text = roots.read(mesh.name);
+    if (!text) {
+      continue;
+    }
+    for (const MeshReference& file : files_named_by_mesh(mesh.name, *text, fetch, limits)) {
+      add(file.kind, file.file.name, roots.resolve(file.file.name).path);
+    }
   }
   return files;
 }

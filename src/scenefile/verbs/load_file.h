@@ -63,8 +63,8 @@ AssetRootsOptions asset_roots_options(const std::string& path, const AssetAccess
 std::vector<AssetFile> locate_files(const LoadedScene& scene, const AssetAccess& access,
                                     const Limits& limits);
 
-/// The scene and its textures and meshes, which no output of the same work may replace
-/// (used_files.h).
+/// The scene, its textures and meshes, and the files that its meshes name, used or not. No output
+/// of the same work may replace them (used_files.h).
 std::vector<UsedFile> used_files(const LoadedScene& scene, const AssetAccess& access,
                                  const Limits& limits);
 

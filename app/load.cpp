@@ -1,6 +1,7 @@
 #include "app/load.h"
 
 #include "app/named_files.h"
+#include "app/output.h"
 #include "scenefile/io/interrupt.h"
 #include "scenefile/io/parallel.h"
 #include "scenefile/verbs/render_error.h"
@@ -31,6 +32,15 @@ LoadedScene load_scene(const std::string& path, const Options& options, LoadDept
     }
   }
   return scene;
+}
+
+void choose_path_mode(const LoadedScene& scene, Options& options) {
+  if (!excludes_path_mode(options) && lit_by_faces_only(scene)) {
+    set_path_mode(options);
+    if (!options.quiet && !options.json) {
+      say("note: faces of this scene emit light, and it has no lights: using --mode path\n");
+    }
+  }
 }
 
 LoadedScene load_for_tracing(const Options& options, Context& context) {

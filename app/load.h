@@ -22,7 +22,10 @@ struct Outcome {
 LoadedScene load_scene(const std::string& path, const Options& options, LoadDepth depth,
                        bool allow_missing, Context& context);
 
-/// Loads the scene with the assets that a render with these options needs, and adds findings that
+/// Sets mode path for a scene without lights whose faces emit light, unless an option excludes it.
+void choose_path_mode(const LoadedScene& scene, Options& options);
+
+/// Loads the scene with the assets that frames with these options need, and adds findings that
 /// depend on the options.
 LoadedScene load_for_tracing(const Options& options, Context& context);
 

@@ -425,10 +425,15 @@ constexpr std::array option_rows{
     OptionRow{"--pixel", "", "X,Y",
               "The pixel to explain; 0,0 is the one at the top left. Required.", for_explain,
               set_pixel},
-    OptionRow{"--mine", "", "PICTURE",
+    OptionRow{"--mine",
+              "",
+              "PICTURE",
               "Your picture of the scene: compare its value with ours, and find the mistake in our "
               "terms that gives it.",
-              for_explain, set_name<&Options::mine>},
+              for_explain,
+              set_name<&Options::mine>,
+              "",
+              {.path = false}},
     OptionRow{"--layer", "", "NAME", "The layer to read of EXR pictures that have several.",
               for_pictures | for_explain | for_view, set_name<&Options::layer>},
     OptionRow{
@@ -477,7 +482,8 @@ constexpr std::array option_rows{
               for_tracing | for_convert | for_pictures | for_view, set_features, "features"},
     OptionRow{"--mode", "", "NAME",
               "ray (default), intersect (the course's ray caster: no shadows, reflections or "
-              "textures), normals (colors are normals), or path (path tracing, for render; the "
+              "textures), normals (colors are normals), or path (path tracing, for render and "
+              "explain; the "
               "default if the scene has no lights, but faces of meshes that emit light).",
               for_tracing | for_pictures | for_view, set_mode, "mode"},
     OptionRow{
@@ -522,11 +528,11 @@ constexpr std::array option_rows{
     OptionRow{"--light-samples", "", "N",
               "With --mode path: points on lamps and area lights for each point of a path (default "
               "1; 0: paths find lamps only by chance).",
-              for_render, set_field<&RenderOptions::light_samples>, "light_samples"},
+              for_render | for_explain, set_field<&RenderOptions::light_samples>, "light_samples"},
     OptionRow{"--no-mis", "", "",
               "With --mode path: without multiple importance sampling. Diffuse and glossy surfaces "
               "then only use the samples of --light-samples.",
-              for_render,
+              for_render | for_explain,
               [](Options& o, const std::string&) {
                 o.render.mis = false;
                 return std::string();
@@ -536,11 +542,12 @@ constexpr std::array option_rows{
         "--direct-only", "", "",
         "With --mode path: only light that comes straight from lamps, also as seen in mirrors "
         "and through glass.",
-        for_render, set_flag_of<&Options::render, &RenderOptions::direct_only>, "direct_only"},
+        for_render | for_explain, set_flag_of<&Options::render, &RenderOptions::direct_only>,
+        "direct_only"},
     OptionRow{"--continue", "", "P",
               "With --mode path: the probability that a path continues after each bounce, up to "
               "0.99 (default: after the third bounce, by the light that it can still add).",
-              for_render,
+              for_render | for_explain,
               [](Options& o, const std::string& v) {
                 return read_number(v, 0.01, 0.99, o.render.continuation);
               },
@@ -549,12 +556,12 @@ constexpr std::array option_rows{
               "With --mode path: physics (default), or course: as the published pictures of the "
               "course, in which light of lamps falls off with the distance instead of its square, "
               "and materials with a bright Ks have no Kd.",
-              for_render, set_convention, "convention"},
+              for_render | for_explain, set_convention, "convention"},
     OptionRow{
         "--clamp", "", "N",
         "With --mode path: the maximum of indirect light in a sample. Removes bright specks, "
         "and some light.",
-        for_render,
+        for_render | for_explain,
         [](Options& o, const std::string& v) { return read_number(v, 1e-3, 1e9, o.render.clamp); },
         "clamp"},
     OptionRow{"--tone", "", "NAME",

@@ -193,8 +193,8 @@ OptionSupport support_for(const OptionRow& row) {
 // Checks that each option has an effect with the selected engine, profile and mode.
 std::string check_support(const Command& command, const Options& options) {
   if (options.render.mode == Mode::path) {
-    if (command.bit != for_render) {
-      return fmt::format("--mode path is for render, not for {}", command.name);
+    if ((command.bit & (for_render | for_explain)) == 0) {
+      return fmt::format("--mode path is for render and explain, not for {}", command.name);
     }
     if (options.engine != Engine::trace) {
       return fmt::format("--mode path is for the ray tracer: leave it out, or {}",

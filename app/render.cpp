@@ -202,13 +202,8 @@ ExitCode run_render(const Options& given, Context& context) {
   }
   LoadedScene scene = load_scene(options.arguments.front(), options, depth_for(options.render),
                                  options.load.allow_missing, context);
-  if (!excludes_path_mode(options) && lit_by_faces_only(scene)) {
-    set_path_mode(options);
-    report.options = options.render;
-    if (!options.quiet && !options.json) {
-      say("note: faces of this scene emit light, and it has no lights: using --mode path\n");
-    }
-  }
+  choose_path_mode(scene, options);
+  report.options = options.render;
   check_picture(scene, options.render);
   Outcome outcome{status_of(scene), {}};
   if (const auto realtime = realtime_options(options);

@@ -124,9 +124,48 @@ TEST_F(PathCommand, RefusesWhatItDoesNotHave) {
     EXPECT_EQ(run.status, 2) << more[0] << run.err;
     EXPECT_THAT(run.err, HasSubstr("add --mode path")) << more[0];
   }
-  const ProgramRun explain = run_program({"explain", scene, "--pixel", "5,5", "--mode", "path"});
-  EXPECT_EQ(explain.status, 2);
-  EXPECT_THAT(explain.err, HasSubstr("--mode path is for render"));
+  const ProgramRun frames = run_program(
+      {"frames", scene, "-o", folder.path("f%d.png"), "--turntable", "2", "--mode", "path"});
+  EXPECT_EQ(frames.status, 2);
+  EXPECT_THAT(frames.err, HasSubstr("--mode path is for render and explain, not for frames"));
+  const ProgramRun mine = run_program(
+      {"explain", scene, "--pixel", "5,5", "--mode", "path", "--mine", folder.path("a.png")});
+  EXPECT_EQ(mine.status, 2);
+  EXPECT_THAT(mine.err, HasSubstr("--mine has no effect on paths"));
+}
+
+TEST_F(PathCommand, ExplainsAPixel) {
+  const Words options{"--mode", "path", "--samples", "5", "--size", "32x24"};
+  const Words words = Words{"explain", scene, "--pixel", "16,12"} + options;
+  const ProgramRun run = run_program(words + Words{"--sample", "2"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("pixel 16,12 of 32x24, mode path"), HasSubstr("samples 5"),
+                             HasSubstr("sample 2: "), HasSubstr("vertex 0: hits sphere root/#1"),
+                             HasSubstr("directional light (line 9)"), HasSubstr("no occluder"),
+                             HasSubstr("continues diffuse"), HasSubstr("hits nothing"),
+                             HasSubstr("sum "), Not(HasSubstr("\x1b"))));
+  EXPECT_EQ(run_program(words + Words{"--sample", "5"}).status, 2);
+
+  const rapidjson::Document json = parse_json(run_program(words + Words{"--json"}).out);
+  EXPECT_STREQ(json["mode"].GetString(), "path");
+  const auto& pixel = json["pixel"];
+  ASSERT_EQ(pixel["samples"].Size(), 5u);
+  render("a.pfm", options);
+  const std::vector<float> picture = values("a.pfm");
+  // Rows of PFM files are stored from the bottom up.
+  const std::size_t at = 3 * ((24 - 1 - 12) * 32 + 16);
+  for (unsigned c = 0; c < 3; ++c) {
+    double sum = 0;
+    for (const auto& sample : pixel["samples"].GetArray()) {
+      sum += sample["color"][c].GetDouble();
+    }
+    EXPECT_EQ(static_cast<float>(sum / 5), picture[at + c]);
+    EXPECT_EQ(static_cast<float>(pixel["color"][c].GetDouble()), picture[at + c]);
+    EXPECT_EQ(pixel["path"]["color"][c].GetDouble(),
+              pixel["samples"][pixel["shown"].GetUint()]["color"][c].GetDouble());
+  }
+  const ProgramRun outside = run_program(Words{"explain", scene, "--pixel", "0,0"} + options);
+  EXPECT_THAT(outside.out, HasSubstr("the background is black"));
 }
 
 // A lamp over a floor, in the files of the assignment Path.
@@ -145,6 +184,12 @@ TEST_F(PathCommand, IsTheDefaultForFacesThatEmitLight) {
 </scenefile>
 )");
   const ProgramRun run = render("a.pfm", {"--samples", "16"});
+  const ProgramRun explained =
+      run_program({"explain", scene, "--pixel", "16,12", "--size", "32x24", "--samples", "3"});
+  EXPECT_EQ(explained.status, 0);
+  EXPECT_THAT(explained.err, AllOf(HasSubstr("using --mode path"), Not(HasSubstr("warning"))));
+  EXPECT_THAT(explained.out, AllOf(HasSubstr("material white (box.mtl:1), illum 0"),
+                                   HasSubstr("lamp "), HasSubstr("density ")));
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_THAT(run.err, AllOf(HasSubstr("using --mode path"), HasSubstr("16 samples per pixel"),
                              Not(HasSubstr("warning"))));

@@ -38,7 +38,7 @@ const std::map<std::string, std::set<std::string>> may_know = {
     {"explain", {"base", "scene", "geometry", "trace"}},
     {"verbs",
      {"base", "scene", "format", "asset", "geometry", "compare", "io", "placement", "trace",
-      "explain", "grade", "export/codes.h", "import/codes.h", "view/codes.h"}},
+      "path", "explain", "grade", "export/codes.h", "import/codes.h", "view/codes.h"}},
     {"viewer",
      {"base", "scene", "format", "geometry", "asset", "compare", "io", "placement", "trace", "view",
       "explain"}},

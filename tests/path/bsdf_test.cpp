@@ -89,7 +89,7 @@ TEST(PathBsdf, SamplesFollowTheirDensity) {
         const double lobe = random();
         const BsdfSample s = sample(bsdf, facing, lobe, {random(), random()});
         ASSERT_NEAR(glm::length(s.to_light), 1, 1e-9);
-        ASSERT_FALSE(s.specular);
+        ASSERT_FALSE(s.specular());
         ++counts[cell_of(s.to_light)];
       }
       std::vector<double> expected =
@@ -185,7 +185,7 @@ TEST(PathBsdf, MirrorsReflectInOneDirection) {
   bsdf.mirror = Color(0.5, 0.6, 0.7);
   const Facing facing = seen_from(35);
   const BsdfSample s = sample(bsdf, facing, 0.3, {0.1, 0.9});
-  EXPECT_TRUE(s.specular);
+  EXPECT_TRUE(s.specular());
   EXPECT_EQ(s.weight, Color(0.5, 0.6, 0.7));
   EXPECT_NEAR(glm::dot(s.to_light, facing.normal), std::cos(glm::radians(35.0)), 1e-12);
   EXPECT_NEAR(

@@ -17,7 +17,7 @@ except ImportError:
     sys.exit(77)
 
 FOLDER = pathlib.Path(__file__).resolve().parent.parent.parent / "schema"
-WAYS = ([], ["--profile", "course", "--features", "all"], ["--mode", "normals"], ["--mode", "intersect"],
+WAYS = ([], ["--profile", "course", "--features", "all"], ["--mode", "normals"], ["--mode", "intersect"], ["--mode", "path", "--samples", "3"],
         ["--profile", "realtime"], ["--profile", "realtime", "--milestone", "action", "--filter", "blur"])
 PIXELS = ("0,0", "20,24", "32,20", "33,30", "45,28", "60,40")
 

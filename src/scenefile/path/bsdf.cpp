@@ -97,17 +97,26 @@ BsdfValue value_of(const Bsdf& bsdf, const LobeShares& shares, const Facing& fac
 }
 
 // Reflects or refracts, with the probabilities of Fresnel's equations; `choice` in [0, 1).
-dvec3 glass_direction(const Bsdf& bsdf, const Facing& facing, double choice) {
+BsdfSample glass_sample(const Bsdf& bsdf, const Facing& facing, double choice) {
   const double eta = facing.outside ? 1 / bsdf.ior : bsdf.ior;
   const double cosine = glm::dot(facing.normal, facing.to_eye);
   const double reflected = fresnel_reflectance(cosine, eta);
+  BsdfSample result;
   if (choice < reflected || reflected >= 1) {
-    return mirror_direction(facing);
+    result.lobe = BsdfLobe::reflection;
+    result.density = std::min(reflected, 1.0);
+    result.to_light = mirror_direction(facing);
+    result.light = result.density * bsdf.glass;
+    return result;
   }
   const double inside = std::sqrt(std::max(0.0, 1 - eta * eta * (1 - cosine * cosine)));
   const dvec3 through =
       glm::normalize((eta * cosine - inside) * facing.normal - eta * facing.to_eye);
-  return glm::dot(through, facing.geometric) < 0 ? through : -facing.to_eye;
+  result.lobe = BsdfLobe::refraction;
+  result.density = 1 - reflected;
+  result.to_light = glm::dot(through, facing.geometric) < 0 ? through : -facing.to_eye;
+  result.light = result.density * bsdf.glass;
+  return result;
 }
 
 }  // namespace
@@ -139,24 +148,29 @@ BsdfSample sample(const Bsdf& bsdf, const Facing& facing, double lobe, const glm
   const LobeShares shares = lobe_shares(bsdf);
   BsdfSample result;
   if (lobe < shares.diffuse + shares.glossy) {
-    result.to_light =
-        lobe < shares.diffuse
-            ? cosine_direction(facing.normal, point)
-            : power_direction(mirrored_about(facing.normal, facing.to_eye), bsdf.shininess, point);
+    const bool diffuse = lobe < shares.diffuse;
+    result.lobe = diffuse ? BsdfLobe::diffuse : BsdfLobe::glossy;
+    result.to_light = diffuse ? cosine_direction(facing.normal, point)
+                              : power_direction(mirrored_about(facing.normal, facing.to_eye),
+                                                bsdf.shininess, point);
     const BsdfValue value = value_of(bsdf, shares, facing, result.to_light);
+    result.light = value.light;
     result.density = value.density;
     if (value.density > 0) {
       result.weight = value.light / value.density;
     }
     return result;
   }
-  result.specular = true;
   lobe -= shares.diffuse + shares.glossy;
   if (lobe < shares.mirror) {
+    result.lobe = BsdfLobe::mirror;
     result.to_light = mirror_direction(facing);
+    result.light = bsdf.mirror;
+    result.density = shares.mirror;
     result.weight = bsdf.mirror / shares.mirror;
   } else if (shares.glass > 0) {
-    result.to_light = glass_direction(bsdf, facing, (lobe - shares.mirror) / shares.glass);
+    result = glass_sample(bsdf, facing, (lobe - shares.mirror) / shares.glass);
+    result.density *= shares.glass;
     result.weight = bsdf.glass / shares.glass;
   }
   return result;

@@ -6,6 +6,8 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
+
 namespace scenefile {
 
 /// Factors of the lobes. All of them are 0 for a black surface.
@@ -40,11 +42,17 @@ BsdfValue evaluate(const Bsdf& bsdf, const Facing& facing, const glm::dvec3& to_
 /// Whether evaluate() can be other than 0.
 bool is_rough(const Bsdf& bsdf);
 
+/// A lobe, for glass also the direction.
+enum class BsdfLobe : std::uint8_t { none, diffuse, glossy, mirror, reflection, refraction };
+
 struct BsdfSample {
-  glm::dvec3 to_light{0};  ///< unit length
-  Color weight{0};         ///< BSDF times cosine, divided by the density; 0: the path ends
-  double density = 0;      ///< per solid angle, if not `specular`
-  bool specular = false;   ///< mirror or glass: the only direction
+  glm::dvec3 to_light{0};          ///< unit length
+  Color weight{0};                 ///< light / density; 0: the path ends
+  BsdfLobe lobe = BsdfLobe::none;  ///< that was chosen for the direction
+  /// Mirrors and glass have only one direction or two.
+  bool specular() const { return lobe >= BsdfLobe::mirror; }
+  Color light{0};      ///< BSDF of all rough lobes times cosine; specular: the factor
+  double density = 0;  ///< rough: of all of them, per solid angle; specular: the probability
 };
 
 /// A random direction. `lobe` and `point` are uniform in [0, 1).

@@ -1,8 +1,8 @@
 #pragma once
 // What all paths of a picture share, and the points of surfaces that they reach.
 
-#include "scenefile/path/bsdf.h"
 #include "scenefile/path/lamps.h"
+#include "scenefile/path/path_record.h"
 #include "scenefile/trace/tracer.h"
 
 #include <glm/glm.hpp>
@@ -24,16 +24,6 @@ struct PathScene {
   /// By mesh and triangle: the triangle at the same place that faces the other way and emits light.
   /// Rays hit only the last of such faces, but a lamp may be made of two.
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> other_faces;
-};
-
-/// A point of a surface on a path.
-struct PathPoint {
-  glm::dvec3 position{0};
-  double offset = 0;  ///< t of the nearest hit that counts on rays from here
-  Facing facing;
-  Bsdf bsdf;
-  Color emission{0};        ///< radiance toward the eye
-  double lamp_density = 0;  ///< of Lamps::sample() for this point, per area
 };
 
 /// `ray`: of unit length.

@@ -20,6 +20,17 @@ PathState make_path_state(const RenderOptions& options) {
   return state;
 }
 
+bool add_sample(const Color& light, std::size_t at, PathState& state) {
+  const double bright = luminance(light);
+  const bool finite = std::isfinite(bright * bright);
+  if (finite) {
+    state.sums[at] += light;
+    state.squares[at] += bright * bright;
+  }
+  ++state.counts[at];
+  return finite;
+}
+
 RenderStatus add_samples(const PathScene& scene, std::uint32_t samples, PathState& state,
                          const Progress& progress, RenderStats& stats) {
   const PixelRegion& region = state.region;
@@ -33,16 +44,9 @@ RenderStatus add_samples(const PathScene& scene, std::uint32_t samples, PathStat
     for (int y = tile.y0; y < tile.y1 && !given_up(); ++y) {
       for (int x = tile.x0; x < tile.x1; ++x) {
         const std::size_t at = std::size_t(y) * region.width() + x;
-        for (; state.counts[at] < samples; ++state.counts[at]) {
-          const Color light =
-              path_light(scene, region.x0 + x, region.y0 + y, state.counts[at], counts);
-          const double bright = luminance(light);
-          if (std::isfinite(bright * bright)) {
-            state.sums[at] += light;
-            state.squares[at] += bright * bright;
-          } else {
-            ++bad;
-          }
+        while (state.counts[at] < samples) {
+          bad += !add_sample(
+              path_light(scene, region.x0 + x, region.y0 + y, state.counts[at], counts), at, state);
         }
       }
     }

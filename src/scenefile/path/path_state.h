@@ -3,6 +3,7 @@
 // be added at any time; n and then m samples give the same bytes as n + m.
 
 #include "scenefile/asset/image.h"
+#include "scenefile/trace/color.h"
 #include "scenefile/trace/render.h"
 #include "scenefile/trace/trace_scene.h"
 
@@ -26,6 +27,9 @@ struct PathState {
 PathState make_path_state(const RenderOptions& options);
 
 struct PathScene;
+
+/// Adds a sample to pixel `at` of the arrays. False if it is not finite: it counts as black.
+bool add_sample(const Color& light, std::size_t at, PathState& state);
 
 /// Adds samples to every pixel that has less than `samples`. `scene` must be the same for all
 /// calls. Returns `complete`, `cancelled` if `progress` said so, or `limit_reached`. Adds the rays

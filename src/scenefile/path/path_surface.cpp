@@ -109,6 +109,7 @@ SurfacePoint visible_surface(const PathScene& scene, const Ray& ray, const Hit& 
 }
 
 const FaceMaterial* face_material(const Assets& assets, const Hit& hit, std::uint32_t& index) {
+  index = mesh_no_index;
   if (hit.mesh >= assets.mesh_materials.size()) {
     return nullptr;
   }
@@ -169,8 +170,8 @@ PathPoint path_point(const PathScene& scene, const Ray& ray, const Hit& ray_hit)
   PathPoint point;
   point.position = surface.position;
   point.offset = one::fine_offset(one::splat3(point.position), hit.t);
-  std::uint32_t index = 0;
-  const FaceMaterial* const material = face_material(tracer.assets, hit, index);
+  point.triangle = hit.triangle;
+  const FaceMaterial* const material = face_material(tracer.assets, hit, point.material);
   if (material == nullptr) {
     apply_bump(tracer, surface, {}, 1);
     point.bsdf = bsdf_of(tracer, surface);
@@ -179,7 +180,7 @@ PathPoint path_point(const PathScene& scene, const Ray& ray, const Hit& ray_hit)
     if (material->emission != glm::vec3(0) && glm::dot(surface.geometric, ray.direction) < 0) {
       point.emission = Color(material->emission) *
                        map_color(tracer.pyramids, material->emission_map, surface.object.uv);
-      point.lamp_density = scene.lamps.density(hit.mesh, index);
+      point.lamp_density = scene.lamps.density(hit.mesh, point.material);
     }
   }
   if (scene.options.convention == Convention::course &&

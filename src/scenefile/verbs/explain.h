@@ -5,6 +5,7 @@
 #include "scenefile/explain/remarks.h"
 #include "scenefile/explain/yours.h"
 #include "scenefile/grade/realtime_pixel.h"
+#include "scenefile/path/explain_path.h"
 #include "scenefile/verbs/load_scene.h"
 
 #include <array>
@@ -27,13 +28,15 @@ struct ExplainReport {
   /// For Realtime, the samples are pixels of the frame.
   PixelRecord pixel;
   std::optional<RealtimeRecord> realtime;
+  std::optional<PathPixel> path;  ///< of mode path; then `pixel` is not used
   std::vector<Remark> remarks;
   std::optional<Yours> yours;  ///< another program's value of the pixel, if given
 };
 
-/// Traces the pixel (x, y), row 0 at the top, like render() with these options. `sample` selects
-/// the sample to describe in full; by default the one nearest to the pixel's center. The scene must
-/// be usable. Fails if render() does, and with ErrorKind::usage if there is no such sample.
+/// Traces the pixel (x, y), row 0 at the top, like render() with these options, or in mode path
+/// like render_path(). `sample` selects the sample to describe in full; by default the one nearest
+/// to the pixel's center. The scene must be usable. Fails if render() does, and with
+/// ErrorKind::usage if there is no such sample.
 Result<ExplainReport> explain_pixel(const LoadedScene& scene, const RenderOptions& options, int x,
                                     int y, std::optional<std::uint32_t> sample = {});
 

@@ -1,5 +1,4 @@
-#include "scenefile/explain/object_names.h"
-#include "scenefile/verbs/explain.h"
+#include "scenefile/verbs/explain_tree.h"
 #include "scenefile/verbs/scene_json.h"
 
 #include <array>
@@ -97,17 +96,7 @@ class Document {
     json_.end_object();
   }
 
-  void add_object(const ObjectRef& object) {
-    json_.begin_array("object");
-    for (const WayPoint& point : names_.way(object)) {
-      json_.begin_object();
-      json_.add("path", point.path);
-      json_.add("line", point.location.line);
-      json_.add("column", point.location.column);
-      json_.end_object();
-    }
-    json_.end_array();
-  }
+  void add_object(const ObjectRef& object) { scenefile::add_object(json_, names_, object); }
 
   void add_line(std::string_view name, const Ray& ray) {
     json_.begin_object(name);
@@ -319,7 +308,9 @@ std::string explain_json(const LoadedScene& scene, const RenderOptions& options,
   } else {
     add_render_options(json, options);
   }
-  if (report != nullptr) {
+  if (report != nullptr && report->path) {
+    add_path_pixel(json, scene, *report->path);
+  } else if (report != nullptr) {
     Document(json, scene).add_pixel(*report);
   }
   json.end_object();

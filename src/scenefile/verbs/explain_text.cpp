@@ -1,9 +1,8 @@
 #include "scenefile/base/components.h"
 #include "scenefile/base/shape_traits.h"
 #include "scenefile/base/text.h"
-#include "scenefile/explain/object_names.h"
 #include "scenefile/grade/realtime_causes.h"
-#include "scenefile/verbs/explain.h"
+#include "scenefile/verbs/explain_tree.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,36 +14,8 @@ namespace scenefile {
 
 namespace {
 
-// The number of samples of a pixel or light above which they are summarized.
-constexpr std::size_t max_listed = 16;
-
 // Rays that change the pixel by less than half an 8-bit step are not described in detail.
 constexpr double half_step = 0.5 / 255;
-
-// A node of the tree.
-struct Item {
-  std::string text;
-  std::vector<Item> below;
-};
-
-// The depth is that of the ray tree, at most 64.
-void print(const Item& item, const std::string& indent, std::string& text) {
-  for (std::size_t i = 0; i < item.below.size(); ++i) {
-    const bool last = i + 1 == item.below.size();
-    text += indent + (last ? "└ " : "├ ") + item.below[i].text + "\n";
-    print(item.below[i], indent + (last ? "  " : "│ "), text);
-  }
-}
-
-// Adding 0.0 turns -0 into 0.
-std::string vector_text(const glm::dvec3& v) {
-  const glm::dvec3 shown = v + 0.0;
-  return fmt::format("{:.6g} {:.6g} {:.6g}", shown.x, shown.y, shown.z);
-}
-
-std::string numbers(const Color& c) {
-  return fmt::format("{:.4f} {:.4f} {:.4f}", c.x, c.y, c.z);
-}
 
 class Explanation {
  public:
@@ -66,7 +37,7 @@ class Explanation {
                     realtime_ ? realtime_words(realtime_->panel)
                               : fmt::format("profile {}, mode {}", profile_word(options.profile),
                                             mode_word(options.mode)));
-    Item top;
+    ExplainItem top;
     top.below.push_back(result());
     if (yours_) {
       top.below.push_back(yours());
@@ -80,41 +51,30 @@ class Explanation {
       }
       top.below.push_back(frame_pixel());
     }
-    print(top, "", text);
-    return text;
+    return text + tree_text(top);
   }
 
  private:
-  std::string bold(std::string_view text) const {
-    return style_.color ? fmt::format("\033[1m{}\033[0m", text) : std::string(text);
-  }
+  std::string bold(std::string_view text) const { return bold_text(text, style_); }
   std::string remark_text(const Remark& remark) const {
     return style_.color ? fmt::format("\033[33m! {}\033[0m", remark.text) : "! " + remark.text;
   }
-  // The numbers of a color, with a patch of it.
-  std::string color(const Color& c) const {
-    if (!style_.swatches) {
-      return numbers(c);
-    }
-    const auto part = [&](double v) { return quantize(static_cast<float>(v), Rounding::nearest); };
-    return fmt::format("{} \033[48;2;{};{};{}m  \033[0m", numbers(c), part(c.x), part(c.y),
-                       part(c.z));
-  }
+  std::string color(const Color& c) const { return color_text(c, style_); }
 
   bool course() const { return pixel_.options.profile == Profile::course; }
 
-  Item result() const {
+  ExplainItem result() const {
     const auto& v = pixel_.value;
     return {fmt::format("{} {} = {} {} {} of 255, {}", bold("color"), color(pixel_.color), v[0],
                         v[1], v[2], course() ? "truncated" : "rounded"),
             {}};
   }
 
-  Item yours() const {
+  ExplainItem yours() const {
     const auto& v = yours_->value;
-    Item item{fmt::format("{} {} {} {} of 255{}", bold("yours"), v[0], v[1], v[2],
-                          yours_->equal ? ": equals ours" : ""),
-              {}};
+    ExplainItem item{fmt::format("{} {} {} {} of 255{}", bold("yours"), v[0], v[1], v[2],
+                                 yours_->equal ? ": equals ours" : ""),
+                     {}};
     for (const YoursFit& fit : yours_->fits) {
       item.below.push_back({fmt::format("equals ours {} = {:.1f} {:.1f} {:.1f} of 255", fit.what,
                                         fit.value.x, fit.value.y, fit.value.z),
@@ -126,18 +86,7 @@ class Explanation {
     return item;
   }
 
-  std::string object(const ObjectRef& ref) const {
-    const std::vector<WayPoint> way = names_.way(ref);
-    std::string text;
-    for (const WayPoint& point : way) {
-      text += fmt::format("{}{}", text.empty() ? "" : " > ", escaped(point.path, 80));
-    }
-    return text + place(way.back().location);
-  }
-
-  static std::string place(const Location& location) {
-    return location.known() ? fmt::format(" (line {})", location.line) : "";
-  }
+  std::string object(const ObjectRef& ref) const { return object_text(names_, ref); }
 
   std::string why_more() const {
     std::vector<std::string_view> reasons;
@@ -153,14 +102,14 @@ class Explanation {
     return reasons.empty() ? "" : fmt::format(", more than at first: {}", fmt::join(reasons, ", "));
   }
 
-  Item samples() const {
+  ExplainItem samples() const {
     const std::size_t count = pixel_.samples.size();
-    Item item{fmt::format("{} {}{}", bold("samples"), count, why_more()), {}};
-    for (std::size_t i = 0; i < std::min(count, max_listed); ++i) {
+    ExplainItem item{fmt::format("{} {}{}", bold("samples"), count, why_more()), {}};
+    for (std::size_t i = 0; i < std::min(count, max_explained_samples); ++i) {
       item.below.push_back({sample_text(i), {}});
     }
-    if (count > max_listed) {
-      item.below.push_back({fmt::format("and {} more", count - max_listed), {}});
+    if (count > max_explained_samples) {
+      item.below.push_back({fmt::format("and {} more", count - max_explained_samples), {}});
     }
     return item;
   }
@@ -183,17 +132,17 @@ class Explanation {
     return text + (index == pixel_.shown ? "  <- shown" : "");
   }
 
-  Item shown_sample() const {
+  ExplainItem shown_sample() const {
     const SampleRecord& s = pixel_.samples[pixel_.shown];
     return {fmt::format("{} {}: {}", bold("sample"), pixel_.shown, color(s.color)), {ray_item(0)}};
   }
 
   // How the frame's pixels make up the picture's.
-  Item frame() const {
+  ExplainItem frame() const {
     const RealtimePixel& pixel = realtime_->pixel;
-    Item item{fmt::format("{} of {}x{} pixels, filter {}", bold("frame"), pixel.frame.x,
-                          pixel.frame.y, word_of(realtime_->panel.filter)),
-              {}};
+    ExplainItem item{fmt::format("{} of {}x{} pixels, filter {}", bold("frame"), pixel.frame.x,
+                                 pixel.frame.y, word_of(realtime_->panel.filter)),
+                     {}};
     std::string_view of_sum = "sum";
     switch (realtime_->panel.filter) {
       case Filter::none:
@@ -212,7 +161,7 @@ class Explanation {
         {fmt::format("color = {} of {} pixel{} of the frame, counted from the lower left", of_sum,
                      count, count == 1 ? "" : "s"),
          {}});
-    for (std::size_t i = 0; i < std::min(count, max_listed); ++i) {
+    for (std::size_t i = 0; i < std::min(count, max_explained_samples); ++i) {
       const RealtimeFramePixel& share = pixel.shares[i];
       item.below.push_back(
           {fmt::format("{:.4f} times {},{}: {}, {}", share.weight, share.at.x, share.at.y,
@@ -220,18 +169,18 @@ class Explanation {
                        share.surface ? object(share.surface->object) : std::string("background")),
            {}});
     }
-    if (count > max_listed) {
-      item.below.push_back({fmt::format("and {} more", count - max_listed), {}});
+    if (count > max_explained_samples) {
+      item.below.push_back({fmt::format("and {} more", count - max_explained_samples), {}});
     }
     return item;
   }
 
-  Item frame_pixel() const {
+  ExplainItem frame_pixel() const {
     const RealtimeFramePixel& share = realtime_->pixel.shares[pixel_.shown];
     const RayRecord& ray = pixel_.rays.front();
-    Item item{fmt::format("{} {},{} from the lower left: {}", bold("frame pixel"), share.at.x,
-                          share.at.y, color(pixel_.samples[pixel_.shown].color)),
-              {}};
+    ExplainItem item{fmt::format("{} {},{} from the lower left: {}", bold("frame pixel"),
+                                 share.at.x, share.at.y, color(pixel_.samples[pixel_.shown].color)),
+                     {}};
     if (ray.surface.has_value()) {
       item.below.push_back(surface_item(*ray.surface));
       add_remarks(item, 0, no_index);
@@ -242,9 +191,9 @@ class Explanation {
     return item;
   }
 
-  Item ray_item(std::uint32_t index) const {
+  ExplainItem ray_item(std::uint32_t index) const {
     const RayRecord& ray = pixel_.rays[index];
-    Item item{ray_title(ray), {}};
+    ExplainItem item{ray_title(ray), {}};
     if (largest(ray.weight * ray.color) < half_step && ray.kind != RayKind::camera) {
       item.text += ray.surface.has_value()
                        ? fmt::format(": hits {}, too faint to show", object(ray.surface->object))
@@ -277,7 +226,7 @@ class Explanation {
       text += fmt::format(", t > {:.3g}", ray.start);
     }
     if (ray.depth > 1) {
-      text += fmt::format(", weight in the sample {}", numbers(ray.weight));
+      text += fmt::format(", weight in the sample {}", color_text(ray.weight));
     }
     return text;
   }
@@ -299,20 +248,21 @@ class Explanation {
 
   std::string branch_title(std::string_view name, std::string_view factor,
                            const BranchRecord& branch, const RayRecord& ray) const {
-    return fmt::format("{} {} = {} times {} = {}", bold(name), factor, numbers(branch.factor),
-                       numbers(ray.color), color(branch.factor * ray.color));
+    return fmt::format("{} {} = {} times {} = {}", bold(name), factor, color_text(branch.factor),
+                       color_text(ray.color), color(branch.factor * ray.color));
   }
 
-  Item wall_item(const WallRecord& wall) const {
+  ExplainItem wall_item(const WallRecord& wall) const {
     return {fmt::format("at t = {:.6g} the wall of {}: {} along {}", wall.t, object(wall.object),
                         wall.mirrored ? "mirrored" : "bent", vector_text(wall.direction)),
             {}};
   }
 
-  Item surface_item(const SurfaceRecord& s) const {
-    Item item{fmt::format("{} {} {} at {} {:.6g}", realtime_ ? "shows" : "hits", word_of(s.shape),
-                          bold(object(s.object)), realtime_ ? "distance" : "t =", s.t),
-              {}};
+  ExplainItem surface_item(const SurfaceRecord& s) const {
+    ExplainItem item{
+        fmt::format("{} {} {} at {} {:.6g}", realtime_ ? "shows" : "hits", word_of(s.shape),
+                    bold(object(s.object)), realtime_ ? "distance" : "t =", s.t),
+        {}};
     const auto add = [&](std::string text) { item.below.push_back({std::move(text), {}}); };
     if (s.shape == Shape::mesh) {
       add(fmt::format("triangle {} of {}", s.triangle, escaped(scene_.mesh_files[s.mesh].name)));
@@ -337,7 +287,7 @@ class Explanation {
       const TextureRecord& t = *s.texture;
       add(fmt::format("texture {}: texel {},{} = {}, looked up {}, blend {:.4g}",
                       escaped(scene_.texture_files[t.file].name), t.texel.x, t.texel.y,
-                      numbers(t.texel_color), color(t.color), t.blend));
+                      color_text(t.texel_color), color(t.color), t.blend));
     }
     if (pixel_.options.mode != Mode::normals) {
       add("D      " + color(s.diffuse_color) +
@@ -346,7 +296,7 @@ class Explanation {
     return item;
   }
 
-  void add_remarks(Item& item, std::uint32_t ray, std::uint32_t light) const {
+  void add_remarks(ExplainItem& item, std::uint32_t ray, std::uint32_t light) const {
     for (const Remark& remark : remarks_) {
       if (remark.ray == ray && remark.light == light) {
         item.below.push_back({remark_text(remark), {}});
@@ -354,7 +304,7 @@ class Explanation {
     }
   }
 
-  void add_terms(Item& item, std::uint32_t index) const {
+  void add_terms(ExplainItem& item, std::uint32_t index) const {
     const RayRecord& ray = pixel_.rays[index];
     item.below.push_back({fmt::format("{} ka Ca = {}", bold("ambient"), color(ray.ambient)), {}});
     for (const LightRecord& light : ray.lights) {
@@ -370,12 +320,13 @@ class Explanation {
                           {}});
   }
 
-  Item light_item(const LightRecord& record, const SurfaceRecord& s, std::uint32_t ray) const {
+  ExplainItem light_item(const LightRecord& record, const SurfaceRecord& s,
+                         std::uint32_t ray) const {
     const RenderLight& light = scene_.lights[record.light];
     const WayPoint at = names_.at(light.source);
-    Item item{fmt::format("{}{} {}", bold(fmt::format("{} light", word_of(light.type))),
-                          place(at.location), color(record.contribution)),
-              {}};
+    ExplainItem item{fmt::format("{}{} {}", bold(fmt::format("{} light", word_of(light.type))),
+                                 place_text(at.location), color(record.contribution)),
+                     {}};
     add_remarks(item, ray, record.light);
     if (record.taken == 1 && record.samples.size() == 1) {
       add_light_terms(item, light, record.samples.front(), s);
@@ -385,7 +336,7 @@ class Explanation {
     return item;
   }
 
-  void add_light_terms(Item& item, const RenderLight& light, const LightSample& l,
+  void add_light_terms(ExplainItem& item, const RenderLight& light, const LightSample& l,
                        const SurfaceRecord& s) const {
     const auto add = [&](std::string text) { item.below.push_back({std::move(text), {}}); };
     const double n = scene_.materials[s.material].shininess;
@@ -398,7 +349,8 @@ class Explanation {
       add(fmt::format("specular ks Cs (R.V)^{:.6g} = {}", n, color(l.specular)));
     }
     add(fmt::format(
-        "light    {} times attenuation {:.6g}{} = {}", numbers(Color(light.color)), l.attenuation,
+        "light    {} times attenuation {:.6g}{} = {}", color_text(Color(light.color)),
+        l.attenuation,
         has_cone(light.type) ? fmt::format(" times spot factor {:.6g}", l.spot_factor) : "",
         color(l.color)));
     if (l.shadow_ray) {
@@ -406,11 +358,11 @@ class Explanation {
     }
   }
 
-  Item shadow_item(const LightSample& l) const {
+  ExplainItem shadow_item(const LightSample& l) const {
     if (l.blockers.empty()) {
       return {"shadow   no occluder", {}};
     }
-    Item item{"shadow   leaves " + numbers(l.visibility), {}};
+    ExplainItem item{"shadow   leaves " + color_text(l.visibility), {}};
     for (const Blocker& blocker : l.blockers) {
       item.below.push_back({blocker_text(blocker), {}});
     }
@@ -421,17 +373,17 @@ class Explanation {
     return fmt::format(
         "{}{} at t = {:.6g}{}", object(blocker.object), blocker.itself ? " itself" : "", blocker.t,
         blocker.passes == Color(0) ? std::string()
-                                   : fmt::format(" lets through {}", numbers(blocker.passes)));
+                                   : fmt::format(" lets through {}", color_text(blocker.passes)));
   }
 
   // For area lights.
-  void add_light_samples(Item& item, const LightRecord& record) const {
+  void add_light_samples(ExplainItem& item, const LightRecord& record) const {
     item.below.push_back({fmt::format("mean over {} points of the light, {} on its bright side",
                                       record.taken, record.samples.size()),
                           {}});
-    for (std::size_t i = 0; i < std::min(record.samples.size(), max_listed); ++i) {
+    for (std::size_t i = 0; i < std::min(record.samples.size(), max_explained_samples); ++i) {
       const LightSample& l = record.samples[i];
-      Item point{
+      ExplainItem point{
           fmt::format("distance {:.6g}, N.L = {:.6g}, R.V = {:.6g}, attenuation {:.6g}: {}",
                       l.distance, l.n_dot_l, l.r_dot_v, l.attenuation, color(l.contribution)),
           {}};
@@ -456,7 +408,8 @@ class Explanation {
 
 std::string explain_text(const LoadedScene& scene, const ExplainReport& report,
                          const ExplainStyle& style) {
-  return Explanation(scene, report, style).text();
+  return report.path ? explain_path_text(scene, *report.path, style)
+                     : Explanation(scene, report, style).text();
 }
 
 }  // namespace scenefile

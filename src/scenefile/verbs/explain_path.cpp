@@ -1,0 +1,393 @@
+// Pixels of mode path, as text and JSON.
+
+#include "scenefile/base/shape_traits.h"
+#include "scenefile/base/text.h"
+#include "scenefile/verbs/explain_tree.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace scenefile {
+
+namespace {
+
+// Indexed by BsdfLobe and PathEnd.
+constexpr std::array<std::string_view, 6> lobe_names{"none",   "diffuse",    "glossy",
+                                                     "mirror", "reflection", "refraction"};
+constexpr std::array<std::string_view, 5> end_names{"none", "direct-only", "max-depth", "absorbed",
+                                                    "roulette"};
+
+std::string_view word_of(BsdfLobe lobe) {
+  return lobe_names[static_cast<std::size_t>(lobe)];
+}
+
+const FaceMaterial* face_material(const LoadedScene& scene, const PathVertex& vertex) {
+  return vertex.point.material == mesh_no_index
+             ? nullptr
+             : &scene.assets.mesh_materials[vertex.mesh].materials[vertex.point.material];
+}
+
+class PathText {
+ public:
+  PathText(const LoadedScene& scene, const PathPixel& pixel, const ExplainStyle& style)
+      : loaded_(scene),
+        scene_(scene.ready.scene),
+        pixel_(pixel),
+        path_(pixel.path),
+        style_(style),
+        names_(scene.written, scene.ready.sources) {}
+
+  std::string text() const {
+    ExplainItem top{
+        fmt::format("{}, pixel {},{} of {}x{}, mode path\n", escaped(shown_name(loaded_.path)),
+                    pixel_.x, pixel_.y, pixel_.options.width, pixel_.options.height),
+        {}};
+    const auto& [red, green, blue] = pixel_.picture;
+    top.add(fmt::format("{} {}, the mean of the samples before tone mapping; standard error {:.2g}",
+                        bold("color"), color({red, green, blue}), pixel_.deviation));
+    add_samples(top);
+    add_path(top);
+    return top.text + tree_text(top);
+  }
+
+ private:
+  std::string bold(std::string_view text) const { return bold_text(text, style_); }
+  std::string color(const Color& c) const { return color_text(c, style_); }
+  std::string object(const ObjectRef& ref) const { return object_text(names_, ref); }
+
+  void add_samples(ExplainItem& top) const {
+    const std::size_t count = pixel_.samples.size();
+    ExplainItem& item = top.add(fmt::format("{} {}", bold("samples"), count));
+    for (std::size_t i = 0; i < std::min(count, max_explained_samples); ++i) {
+      const PathSample& s = pixel_.samples[i];
+      item.add(fmt::format("{:>2} at {:.4f},{:.4f}{}: {}, {} surface{}{}", i, s.point.x, s.point.y,
+                           lens_text(s.lens), color(s.light), s.surfaces,
+                           s.surfaces == 1 ? "" : "s", i == pixel_.shown ? "  <- shown" : ""));
+    }
+    if (count > max_explained_samples) {
+      item.add(fmt::format("and {} more", count - max_explained_samples));
+    }
+  }
+
+  static std::string lens_text(const glm::dvec2& lens) {
+    return lens == glm::dvec2(0)
+               ? std::string()
+               : fmt::format(" through the lens at {:.3f},{:.3f}", lens.x, lens.y);
+  }
+
+  void add_path(ExplainItem& top) const {
+    ExplainItem& item =
+        top.add(fmt::format("{} {}: {}", bold("sample"), pixel_.shown, color(path_.light)));
+    for (std::size_t i = 0; i < path_.vertices.size(); ++i) {
+      add_vertex(item, i);
+    }
+    if (path_.escaped) {
+      item.add(fmt::format("from {} along {}: hits nothing, the background is black",
+                           vector_text(path_.last.origin), vector_text(path_.last.direction)));
+    }
+    item.add(fmt::format(
+        "{} {} = {} reflected or refracted at most once, plus {}{}", bold("sum"),
+        color(path_.light), color_text(path_.direct), color_text(path_.indirect),
+        path_.clamp == 1 ? std::string() : fmt::format(" times {:.4g} by --clamp", path_.clamp)));
+  }
+
+  void add_vertex(ExplainItem& sample, std::size_t index) const {
+    const PathVertex& v = path_.vertices[index];
+    ExplainItem& item = sample.add(fmt::format(
+        "{} {}: hits {} {} at t = {:.6g}{}", bold("vertex"), index, scenefile::word_of(v.shape),
+        bold(object(pixel_.objects[index])), v.t, v.point.facing.outside ? "" : ", from inside"));
+    item.add(
+        fmt::format("from {} along {}", vector_text(v.ray.origin), vector_text(v.ray.direction)));
+    item.add(fmt::format("point {}, normal {}{}", vector_text(v.point.position),
+                         vector_text(v.point.facing.normal),
+                         v.point.facing.normal == v.point.facing.geometric
+                             ? std::string()
+                             : ", of the face " + vector_text(v.point.facing.geometric)));
+    add_material(item, v);
+    if (v.point.emission != Color(0)) {
+      add_emission(item, v);
+    }
+    for (std::uint32_t i = 0; i < v.lights; ++i) {
+      add_light(item, v.first_light + i);
+    }
+    item.add(fmt::format("{} throughput {} times {} = {}", bold("adds"), color_text(v.throughput),
+                         color_text(v.emission + v.light),
+                         color(v.throughput * v.emission + v.throughput * v.light)));
+    add_next(item, v);
+  }
+
+  void add_material(ExplainItem& item, const PathVertex& v) const {
+    std::string text;
+    if (v.shape == Shape::mesh) {
+      text = fmt::format("triangle {} of {}", v.point.triangle,
+                         escaped(scene_.mesh_files[v.mesh].name));
+    }
+    if (const FaceMaterial* const m = face_material(loaded_, v)) {
+      text += fmt::format(", material {} ({}:{}), illum {}", escaped(m->name, 80),
+                          escaped(m->file, 80), m->location.line, m->illum);
+    }
+    if (!text.empty()) {
+      item.add(text);
+    }
+    const Bsdf& bsdf = v.point.bsdf;
+    const auto add = [&](const Color& c, std::string_view name, const std::string& more) {
+      if (c != Color(0)) {
+        item.add(fmt::format("{} {}{}", name, color(c), more));
+      }
+    };
+    add(bsdf.diffuse, "diffuse", "");
+    add(bsdf.glossy, "glossy", fmt::format(", exponent {:.6g}", bsdf.shininess));
+    add(bsdf.mirror, "mirror", "");
+    add(bsdf.glass, "glass", fmt::format(", index of refraction {:.6g}", bsdf.ior));
+  }
+
+  void add_emission(ExplainItem& item, const PathVertex& v) const {
+    std::string why;
+    if (v.emission_density > 0) {
+      why = pixel_.options.mis && pixel_.options.convention == Convention::physics
+                ? fmt::format(
+                      ": this direction has density {:.6g} by the BSDF, {:.6g} by light "
+                      "samples",
+                      v.ray_density, v.emission_density)
+                : std::string(": light samples find it");
+    }
+    item.add(fmt::format("{} {} times weight {:.4g} = {}{}", bold("emission"),
+                         color_text(v.point.emission), v.emission_weight, color(v.emission), why));
+  }
+
+  void add_light(ExplainItem& vertex, std::size_t index) const {
+    const PathLight& l = path_.lights[index];
+    std::string name = "lamp";
+    if (l.light != no_index) {
+      const RenderLight& light = scene_.lights[l.light];
+      name = fmt::format("{} light{}", scenefile::word_of(light.type),
+                         place_text(names_.at(light.source).location));
+    }
+    ExplainItem& item = vertex.add(fmt::format("{} {}", bold(name), color(l.contribution)));
+    if (l.emission == Color(0)) {
+      item.add(l.light == no_index ? "the chosen point faces away" : "none arrives here");
+      return;
+    }
+    item.add(fmt::format("along {}, distance {:.6g}: {} {}", vector_text(l.to_light), l.distance,
+                         l.light == no_index ? "emits" : "light", color(l.emission)));
+    item.add(fmt::format("BSDF times cosine {}", color(l.reflected)));
+    item.add(l.light == no_index
+                 ? fmt::format("density {:.6g} by light samples, {:.6g} by the BSDF: weight {:.4g}",
+                               l.density, l.bsdf_density, l.weight)
+                 : fmt::format("divided by {:.6g}: samples of it per light", l.density));
+    if (l.shadow_ray) {
+      item.add(fmt::format("shadow leaves {}{}", color_text(l.visibility),
+                           pixel_.occluders[index]
+                               ? ": occluded by " + object(*pixel_.occluders[index])
+                               : std::string(": no occluder")));
+    }
+  }
+
+  void add_next(ExplainItem& item, const PathVertex& v) const {
+    switch (v.end) {
+      case PathEnd::direct_only:
+        item.add("the path ends: only direct light is wanted");
+        return;
+      case PathEnd::max_depth:
+        item.add("the path ends: the maximum depth is reached");
+        return;
+      case PathEnd::none:
+      case PathEnd::absorbed:
+      case PathEnd::roulette:
+        break;
+    }
+    if (v.next.lobe == BsdfLobe::none) {
+      item.add("the path ends: the surface reflects nothing");
+      return;
+    }
+    item.add(fmt::format("{} {} along {}: {} {} / {} {:.6g} = {}", bold("continues"),
+                         word_of(v.next.lobe), vector_text(v.next.to_light),
+                         v.next.specular() ? "factor" : "BSDF times cosine",
+                         color_text(v.next.light), v.next.specular() ? "probability" : "density",
+                         v.next.density, color(v.next.weight)));
+    if (v.end == PathEnd::absorbed) {
+      item.add("the path ends: no light can come from there");
+    } else if (v.continuation != 1) {
+      item.add(fmt::format("roulette: goes on with probability {:.4g}{}", v.continuation,
+                           v.end == PathEnd::roulette ? ", and ends here" : ""));
+    }
+  }
+
+  const LoadedScene& loaded_;
+  const RenderScene& scene_;
+  const PathPixel& pixel_;
+  const PathRecord& path_;
+  ExplainStyle style_;
+  ObjectNames names_;
+};
+
+void add_two(Json& json, std::string_view name, const glm::dvec2& v) {
+  json.begin_array(name);
+  json.value(v.x);
+  json.value(v.y);
+  json.end_array();
+}
+
+class PathDocument {
+ public:
+  PathDocument(Json& json, const LoadedScene& scene, const PathPixel& pixel)
+      : json_(json), loaded_(scene), pixel_(pixel), names_(scene.written, scene.ready.sources) {}
+
+  void add_pixel() {
+    json_.begin_object("pixel");
+    json_.add("x", pixel_.x);
+    json_.add("y", pixel_.y);
+    json_.add("color", Color(pixel_.picture[0], pixel_.picture[1], pixel_.picture[2]));
+    json_.add("standard_error", pixel_.deviation);
+    json_.begin_array("samples");
+    for (const PathSample& s : pixel_.samples) {
+      json_.begin_object();
+      add_two(json_, "point", s.point);
+      add_two(json_, "lens", s.lens);
+      json_.add("color", s.light);
+      json_.add("surfaces", s.surfaces);
+      json_.end_object();
+    }
+    json_.end_array();
+    json_.add("shown", pixel_.shown);
+    const PathRecord& path = pixel_.path;
+    json_.begin_object("path");
+    json_.begin_array("vertices");
+    for (std::size_t i = 0; i < path.vertices.size(); ++i) {
+      add_vertex(path.vertices[i], pixel_.objects[i]);
+    }
+    json_.end_array();
+    if (path.escaped) {
+      add_line("escapes", path.last);
+    }
+    json_.add("direct", path.direct);
+    json_.add("indirect", path.indirect);
+    json_.add("clamp", path.clamp);
+    json_.add("color", path.light);
+    json_.end_object();
+    json_.end_object();
+  }
+
+ private:
+  void add_line(std::string_view name, const Ray& ray) {
+    json_.begin_object(name);
+    json_.add("origin", ray.origin);
+    json_.add("direction", ray.direction);
+    json_.end_object();
+  }
+
+  void add_vertex(const PathVertex& v, const ObjectRef& object) {
+    json_.begin_object();
+    add_object(json_, names_, object);
+    json_.add("shape", scenefile::word_of(v.shape));
+    if (v.shape == Shape::mesh) {
+      json_.add("mesh", loaded_.ready.scene.mesh_files[v.mesh].name);
+      json_.add("triangle", v.point.triangle);
+    } else {
+      json_.add("face", face_words[static_cast<std::size_t>(v.face)]);
+    }
+    add_line("ray", v.ray);
+    json_.add("start", v.start);
+    json_.add("ray_density", v.ray_density);
+    json_.add("t", v.t);
+    json_.add("position", v.point.position);
+    json_.add("normal", v.point.facing.normal);
+    json_.add("geometric_normal", v.point.facing.geometric);
+    json_.add("outside", v.point.facing.outside);
+    add_material(v);
+    json_.add("throughput", v.throughput);
+    json_.begin_object("emission");
+    json_.add("radiance", v.point.emission);
+    json_.add("density", v.emission_density);
+    json_.add("weight", v.emission_weight);
+    json_.add("contribution", v.emission);
+    json_.end_object();
+    json_.begin_array("lights");
+    for (std::uint32_t i = 0; i < v.lights; ++i) {
+      add_light(v.first_light + i);
+    }
+    json_.end_array();
+    json_.add("light", v.light);
+    json_.add("end", end_names[static_cast<std::size_t>(v.end)]);
+    if (v.next.lobe != BsdfLobe::none) {
+      json_.begin_object("next");
+      json_.add("lobe", word_of(v.next.lobe));
+      json_.add("direction", v.next.to_light);
+      json_.add("bsdf_cosine", v.next.light);
+      json_.add("density", v.next.density);
+      json_.add("weight", v.next.weight);
+      json_.add("continuation", v.continuation);
+      json_.end_object();
+    }
+    json_.end_object();
+  }
+
+  void add_material(const PathVertex& v) {
+    const Bsdf& bsdf = v.point.bsdf;
+    json_.begin_object("material");
+    if (const FaceMaterial* const m = face_material(loaded_, v)) {
+      json_.add("name", m->name);
+      json_.add("file", m->file);
+      json_.add("line", m->location.line);
+      json_.add("illum", m->illum);
+    }
+    json_.add("diffuse", bsdf.diffuse);
+    json_.add("glossy", bsdf.glossy);
+    json_.add("shininess", bsdf.shininess);
+    json_.add("mirror", bsdf.mirror);
+    json_.add("glass", bsdf.glass);
+    json_.add("ior", bsdf.ior);
+    json_.end_object();
+  }
+
+  void add_light(std::size_t index) {
+    const PathLight& l = pixel_.path.lights[index];
+    json_.begin_object();
+    if (l.light != no_index) {
+      const RenderLight& light = loaded_.ready.scene.lights[l.light];
+      json_.add("light", l.light);
+      json_.add("type", scenefile::word_of(light.type));
+      json_.add("line", names_.at(light.source).location.line);
+    } else {
+      json_.add("type", "lamp");
+    }
+    json_.add("to_light", l.to_light);
+    json_.add("distance", l.distance);
+    json_.add("emission", l.emission);
+    json_.add("bsdf_cosine", l.reflected);
+    json_.add("density", l.density);
+    json_.add("bsdf_density", l.bsdf_density);
+    json_.add("weight", l.weight);
+    json_.add("unshadowed", l.unshadowed);
+    json_.add("shadow_ray", l.shadow_ray);
+    json_.add("visibility", l.visibility);
+    if (pixel_.occluders[index]) {
+      json_.begin_object("occluder");
+      add_object(json_, names_, *pixel_.occluders[index]);
+      json_.end_object();
+    }
+    json_.add("contribution", l.contribution);
+    json_.end_object();
+  }
+
+  Json& json_;
+  const LoadedScene& loaded_;
+  const PathPixel& pixel_;
+  ObjectNames names_;
+};
+
+}  // namespace
+
+std::string explain_path_text(const LoadedScene& scene, const PathPixel& pixel,
+                              const ExplainStyle& style) {
+  return PathText(scene, pixel, style).text();
+}
+
+void add_path_pixel(Json& json, const LoadedScene& scene, const PathPixel& pixel) {
+  PathDocument(json, scene, pixel).add_pixel();
+}
+
+}  // namespace scenefile

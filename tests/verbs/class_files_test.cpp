@@ -134,7 +134,7 @@ TEST(ClassFiles, FoldersArchivesAndNamesOfCourseSystems) {
                {"roepia_125_500_ball-2.png", "roepia/ball"},
                {"typed_126_text.html", "(typed) not a picture"},
                {"hw2_jsmith_attempt_2024-03-01-12-00-00_ball.png",
-                "(jsmith) the student has handed in again"},
+                "(jsmith) superseded by a later attempt"},
                {"hw2_jsmith_attempt_2024-03-02-09-00-00_ball.png", "jsmith/ball"},
                {"hw2_a_doe_attempt_2024-03-02-09-00-00.txt", "(a_doe) not a picture"},
                {"Ann Lee_99_assignsubmission_file_/ball.png", "Ann Lee/ball"},
@@ -201,6 +201,15 @@ TEST(ClassFiles, OneStudent) {
   folder.write("work/a_1_2_b.png");
   EXPECT_EQ(found_in(folder.path("work"), references({"a_1_2_b"})).at("a_1_2_b.png"),
             "work/a_1_2_b");
+  // Nor is a size.
+  folder.write("sized/ball_640_480_final.png");
+  folder.write("sized/robot.png");
+  EXPECT_EQ(found_in(folder.path("sized")).at("robot.png"), "sized/robot");
+  EXPECT_EQ(found_in(folder.path("sized")).at("ball_640_480_final.png"),
+            "sized/ball_640_480_final");
+  // A link to the archive of a class.
+  std::filesystem::create_symlink(folder.path("gina.zip"), folder.path("latest.zip"));
+  EXPECT_EQ(found_in(folder.path("latest.zip")).at("images/ball.png"), "latest/ball");
 }
 
 TEST(ClassFiles, WhatIsInArchivesIsRead) {

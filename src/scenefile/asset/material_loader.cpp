@@ -38,7 +38,10 @@ std::vector<MeshReference> files_named_by_mesh(const std::string& mesh, std::str
        at = obj.find(keyword, at + keyword.size())) {
     ObjWords words(obj.substr(at));
     words.next_statement();
-    if (words.next_word() != keyword) {
+    // A statement of its own, not a word of another one or of a comment.
+    const std::size_t last = at == 0 ? std::string_view::npos : obj.find_last_not_of(" \t", at - 1);
+    if (words.next_word() != keyword ||
+        (last != std::string_view::npos && obj[last] != '\n' && obj[last] != '\r')) {
       continue;
     }
     for (const FileReference& name : library_names(words)) {
@@ -46,7 +49,7 @@ std::vector<MeshReference> files_named_by_mesh(const std::string& mesh, std::str
       if (!known.insert(library).second) {
         continue;
       }
-      files.push_back({AssetKind::library, {library, {}}, mesh});
+      files.emplace_back(MeshReference{AssetKind::library, FileReference{library, {}}, mesh});
       const Result<std::string> text = fetch(library);
       const std::vector<MtlMaterial> materials =
           text ? read_mtl(*text, library, limits, budget, ignored) : std::vector<MtlMaterial>();

@@ -25,14 +25,13 @@ class ObjWords {
   /// blanks. A # inside a word belongs to it, as in file names.
   std::string_view rest(std::string_view first);
 
-  /// The place of a word returned by next() (columns beyond 65,536 count bytes); for a word on an
+  /// The place of a word returned by next_word() (columns beyond 65,536 count bytes); for a word on an
   /// earlier line of the statement, the start of the current line.
   Location location(std::string_view word) const;
 
  private:
   void skip_blanks();
   void skip_comment();
-  bool at_line_end() const;
   std::size_t line_end_bytes(std::size_t at) const;
   void pass_line_end(std::size_t bytes);
 

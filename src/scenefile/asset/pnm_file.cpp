@@ -2,6 +2,7 @@
 // Portable FloatMap Image Format".
 
 #include "scenefile/asset/codec.h"
+#include "scenefile/base/number.h"
 
 #include <fmt/format.h>
 
@@ -91,8 +92,8 @@ Result<ImageHeader> read_pnm_header(std::string_view bytes) {
   if (!h) {
     return h.error();
   }
-  // The limits have already rejected sizes for which this product could overflow. A number as text
-  // takes at least a digit and a space.
+  // May wrap around for sizes that are rejected before it is used. A number as text takes at least
+  // a digit and a space.
   const std::uint64_t value_bytes = h->text ? 2 : h->value_bytes();
   const std::uint64_t data = h->values() * value_bytes * h->width * h->height;
   return ImageHeader{
@@ -118,7 +119,7 @@ Result<void> decode_pnm(std::string_view bytes, Texture& texture) {
       }
     }
     if (!value || *value > h->max) {
-      return input_error(value ? fmt::format("a value is {}, and {} is the largest", *value, h->max)
+      return input_error(value ? fmt::format("the value {} exceeds the maximum {}", *value, h->max)
                                : "a value is missing or not a number");
     }
     const auto byte = static_cast<std::uint8_t>((*value * 255 + h->max / 2) / h->max);
@@ -142,10 +143,11 @@ Result<PfmHeader> pfm_header(std::string_view bytes) {
   const auto width = words.number();
   const auto height = words.number();
   const std::string_view scale = words.next();
-  if (!width || !height || scale.empty()) {
-    return input_error("expected the width, the height and the scale");
+  const ParsedNumber number = parse_number(scale);
+  if (!width || !height || number.error != NumberError::none || number.value == 0) {
+    return input_error("expected the width, the height and a scale other than 0");
   }
-  return PfmHeader{*width, *height, bytes[1] == 'F', scale.front() == '-', words.at() + 1};
+  return PfmHeader{*width, *height, bytes[1] == 'F', number.value < 0, words.at() + 1};
 }
 
 Result<ImageHeader> read_pfm_header(std::string_view bytes) {

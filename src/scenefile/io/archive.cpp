@@ -105,7 +105,7 @@ std::string clean_path(std::string_view written, std::string& problem) {
     }
   }
   problem = leads_out               ? "its path leads out of the archive"
-            : folders > max_folders ? fmt::format("it is in more than {} folders", max_folders)
+            : folders > max_folders ? fmt::format("nested more than {} folders deep", max_folders)
                                     : "";
   return path;
 }
@@ -267,9 +267,11 @@ std::string visit_opened(ArchiveBudget& budget, const VisitEntry& visit, const O
 }  // namespace
 
 std::string visit_archive(const std::string& path, ArchiveBudget& budget, const VisitEntry& visit) {
-  const Result<OpenFile> file = open_regular(path, false, Limits{}.file_bytes);
+  const Result<OpenFile> file = open_regular(path, false, budget.bytes);
   if (!file) {
-    return file.error().text;
+    const std::string& text = file.error().text;
+    const std::string named = path + ": ";
+    return text.starts_with(named) ? text.substr(named.size()) : text;
   }
   return visit_opened(budget, visit, [&](const Library& library, ::archive* archive) {
     return library.read_open_fd(archive, file->descriptor.get(), std::size_t{1} << 16);

@@ -38,8 +38,4 @@ Result<void> write_files(std::span<const OutputFile> files);
 /// Whether write_file() would write to standard output.
 bool is_standard_output(const std::string& path);
 
-/// Whether both paths lead to the same file, or would if it existed. False for standard input and
-/// output.
-bool same_file(const std::string& a, const std::string& b);
-
 }  // namespace scenefile

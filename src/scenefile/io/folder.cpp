@@ -113,7 +113,7 @@ std::vector<std::string> files_in(const std::string& folder, std::size_t most) {
   return names;
 }
 
-std::vector<FolderEntry> entries_of(const std::string& folder) {
+std::vector<FolderEntry> entries_of(const std::string& folder, std::string* problem) {
   std::vector<FolderEntry> entries;
   std::error_code error;
   for (fs::directory_iterator i(folder, error), end; !error && i != end; i.increment(error)) {
@@ -123,6 +123,9 @@ std::vector<FolderEntry> entries_of(const std::string& folder) {
       entries.push_back(
           {name, i->path().string(), i->is_directory(unknown), i->is_symlink(unknown)});
     }
+  }
+  if (error && problem != nullptr) {
+    *problem = error.message();
   }
   std::sort(entries.begin(), entries.end(),
             [](const FolderEntry& a, const FolderEntry& b) { return a.name < b.name; });

@@ -47,8 +47,9 @@ struct FolderEntry {
   bool folder = false;  ///< or a link to one
   bool link = false;
 };
-/// The entries of a folder, sorted by name; empty if it cannot be read. Skips junk.
-std::vector<FolderEntry> entries_of(const std::string& folder);
+/// The entries of a folder, sorted by name, without junk (is_junk_name()). If it cannot be read,
+/// those until then; `problem` says why.
+std::vector<FolderEntry> entries_of(const std::string& folder, std::string* problem = nullptr);
 
 /// Whether archivers and operating systems add files and folders with this name: it starts with a
 /// dot, or is __MACOSX, Thumbs.db or desktop.ini.

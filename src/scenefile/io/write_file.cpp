@@ -1,5 +1,6 @@
 #include "scenefile/io/descriptor.h"
 #include "scenefile/io/file_writer.h"
+#include "scenefile/io/folder.h"
 #include "scenefile/io/interrupt.h"
 #include "scenefile/io/temporary.h"
 
@@ -11,7 +12,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <deque>
-#include <filesystem>
 #include <memory>
 #include <system_error>
 #include <utility>
@@ -27,11 +27,6 @@ struct Target {
   bool exists = false;
   struct stat status {};
 };
-
-std::string folder_of(const std::string& path) {
-  const std::string folder = std::filesystem::path(path).parent_path().string();
-  return folder.empty() ? "." : folder;
-}
 
 Result<void> find_target(const std::string& path, Target& target) {
   target.path = follow_links(path);

@@ -5,6 +5,7 @@
 #include "scenefile/base/limits.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/archive.h"
+#include "scenefile/io/descriptor.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/folder.h"
 
@@ -21,8 +22,8 @@ namespace scenefile {
 
 namespace {
 
-constexpr std::size_t max_files = 20'000;  // of a student
-constexpr std::size_t max_folders = 16;
+constexpr std::size_t max_class_files = 20'000;  // of a student
+constexpr std::size_t max_class_folders = 16;
 constexpr std::size_t max_archives = 3;  // in one another
 constexpr std::string_view gradescope_table = "submission_metadata.yml";
 constexpr std::string_view not_a_picture = "not a picture";
@@ -38,12 +39,6 @@ struct Listing {
   std::vector<std::string> folders;  // directly in the class; possibly empty ones
   std::string gradescope;            // the contents of its table
 };
-
-// The extension of a name in lower case, with the dot; empty if there is none.
-std::string ending_of(std::string_view name) {
-  const std::size_t point = name.rfind('.');
-  return point == std::string_view::npos ? std::string() : lower_case(name.substr(point));
-}
 
 bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -108,16 +103,17 @@ class Lister {
 
   void add_class(const std::string& folder) {
     if (!is_folder(folder)) {
-      // The archive itself is no folder of the class.
+      // The archive itself is no folder of the class. It was named, so links to it are followed.
+      const FoundFile archive = file_of(follow_links(folder), {});
       left_ = class_archive_budget.entries;
-      const std::string why = add_archive(file_of(folder, {}), {}, class_archive_budget);
+      const std::string why = add_archive(archive, {}, class_archive_budget);
       if (!why.empty()) {
-        listing_.items.push_back({file_of(folder, {}), why});
+        listing_.items.push_back({archive, why});
       }
       return;
     }
     for (const FolderEntry& entry : entries_of(folder)) {
-      left_ = max_files;
+      left_ = max_class_files;
       if (entry.folder) {
         listing_.folders.push_back(entry.name);
         add_folder(entry.path, {entry.name});
@@ -134,18 +130,23 @@ class Lister {
     }
     --left_;
     listing_.items.push_back(
-        {std::move(file),
-         left_ > 0 ? std::move(reason) : "there are too many files: those after it are not read"});
+        {std::move(file), left_ > 0 ? std::move(reason) : "too many files: the rest are not read"});
   }
 
   void add_folder(const std::string& folder, const std::vector<std::string>& folders) {
-    for (const FolderEntry& entry : entries_of(folder)) {
+    std::string problem;
+    const std::vector<FolderEntry> entries = entries_of(folder, &problem);
+    if (!problem.empty()) {
+      add(file_of(folder, {folders.begin(), folders.end() - 1}),
+          "the folder cannot be read: " + problem);
+    }
+    for (const FolderEntry& entry : entries) {
       if (!entry.folder) {
         add_file(entry, folders);
-      } else if (entry.link || folders.size() >= max_folders) {
+      } else if (entry.link || folders.size() >= max_class_folders) {
         add(file_of(entry.path, folders),
             entry.link ? "links to folders are not followed"
-                       : fmt::format("it is in more than {} folders", max_folders));
+                       : fmt::format("nested more than {} folders deep", max_class_folders));
       } else {
         std::vector<std::string> inside = folders;
         inside.push_back(entry.name);
@@ -157,8 +158,7 @@ class Lister {
   void add_file(const FolderEntry& entry, const std::vector<std::string>& folders) {
     FoundFile file = file_of(entry.path, folders);
     if (folders.empty() && entry.name == gradescope_table) {
-      const Result<std::string> text = read_file(entry.path, Limits{}.file_bytes);
-      listing_.gradescope = text ? *text : std::string();
+      add_gradescope_table(std::move(file), read_file(entry.path, Limits{}.file_bytes));
       return;
     }
     if (is_picture_name(entry.name)) {
@@ -177,6 +177,14 @@ class Lister {
     }
     if (!why.empty()) {
       add(std::move(file), std::move(why));
+    }
+  }
+
+  void add_gradescope_table(FoundFile file, const Result<std::string>& text) {
+    if (text) {
+      listing_.gradescope = *text;
+    } else {
+      add(std::move(file), text.error().text);
     }
   }
 
@@ -204,8 +212,7 @@ class Lister {
     entries.push_back(entry.path);
     FoundFile file = file_of(archive.path, folders, std::move(entries));
     if (folders.size() <= 1 && path == gradescope_table && entry.problem.empty()) {
-      const Result<std::string> text = read(Limits{}.file_bytes);
-      listing_.gradescope = text ? *text : std::string();
+      add_gradescope_table(std::move(file), read(Limits{}.file_bytes));
       return;
     }
     std::string why = entry.problem;
@@ -225,7 +232,7 @@ class Lister {
   std::string add_inner_archive(const FoundFile& archive, const std::vector<std::string>& folders,
                                 const ReadEntry& read, ArchiveBudget& budget) {
     if (archive.entries.size() >= max_archives) {
-      return fmt::format("more than {} archives in one another", max_archives);
+      return fmt::format("archives nested more than {} deep", max_archives);
     }
     const Result<std::string> bytes = read(inner_budget(budget).bytes);
     if (!bytes) {
@@ -241,7 +248,7 @@ class Lister {
   }
 
   Listing& listing_;
-  std::size_t left_ = max_files;
+  std::size_t left_ = max_class_files;
 };
 
 // Of entries with the same path, the last one counts.
@@ -358,18 +365,23 @@ std::vector<Top> tops_of(const Listing& listing, const std::vector<FoundFile>& r
 }
 
 // Only one student: there are only folders of layouts, or the pictures next to folders show at
-// least as many references as those in them.
+// least as many references as those in them. Not if most have names of a course system; a few
+// pictures look as if they had, such as ball_640_480_final.png.
 bool is_one_student(const std::vector<Top>& tops, const std::vector<Item>& items,
                     const std::vector<FoundFile>& references) {
   std::size_t in_folders = 0;
   bool layout = true;
+  std::size_t of_system = 0;
+  std::size_t others = 0;
   for (const Top& top : tops) {
-    if (top.of_system) {
-      return false;
-    }
+    of_system += top.of_system ? 1 : 0;
+    others += !top.of_system && !top.folder && is_picture_name(top.name) ? 1 : 0;
     if (top.folder || top.archive) {
       layout = layout && is_layout_folder(without_archive_ending(top.name));
     }
+  }
+  if (of_system > others) {
+    return false;
   }
   if (layout) {
     return true;
@@ -550,7 +562,7 @@ class ClassBuilder {
     std::map<std::string, const Top*> latest;
     for (const Top* top : student.tops) {
       if (top->system.attempt != attempt) {
-        ignore(files, *top, "the student has handed in again");
+        ignore(files, *top, "superseded by a later attempt");
         continue;
       }
       const std::string original = original_of(*top).first;

@@ -51,12 +51,6 @@ std::string meaning(std::string_view folder) {
   return word;
 }
 
-// The extension of a file name in lower case, with the dot; empty if there is none.
-std::string ending_of(std::string_view name) {
-  const std::size_t point = name.rfind('.');
-  return point == std::string_view::npos ? std::string() : lower_case(name.substr(point));
-}
-
 void add_files(const std::string& folder, bool (*wanted)(std::string_view),
                const std::vector<std::string>& above, std::vector<FoundFile>& files) {
   for (const FolderEntry& entry : entries_of(folder)) {
@@ -239,6 +233,11 @@ std::vector<FoundFile> files_below(const std::string& folder,
   std::vector<FoundFile> files;
   add_files(folder, wanted, {}, files);
   return files;
+}
+
+std::string ending_of(std::string_view name) {
+  const std::size_t point = name.rfind('.');
+  return point == std::string_view::npos ? std::string() : lower_case(name.substr(point));
 }
 
 std::string file_name(const FoundFile& file) {

@@ -22,6 +22,9 @@ struct FoundFile {
 /// The last part of its path.
 std::string file_name(const FoundFile& file);
 
+/// The extension of a name in lower case, with the dot; empty if there is none.
+std::string ending_of(std::string_view name);
+
 /// The files below `folder` with suitable names, sorted by name; at most 8 folders deep. Skips
 /// files that archivers and operating systems add (`__MACOSX`, names that start with a dot). Does
 /// not follow links to folders.

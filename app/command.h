@@ -71,7 +71,6 @@ ExitCode run_info(const Options& options, Context& context);
 ExitCode run_render(const Options& options, Context& context);
 ExitCode run_view(const Options& options, Context& context);
 ExitCode run_frames(const Options& options, Context& context);
-ExitCode run_merge(const Options& options, Context& context);
 ExitCode run_version(const Options& options, Context& context);
 
 }  // namespace scenefile::app

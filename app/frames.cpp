@@ -1,19 +1,17 @@
 // The command frames: numbered pictures of one scene from a moving camera. The acceleration
-// structure is built once. A hidden file next to each frame, named .NAME.key, records what it was
-// drawn from: an existing frame is skipped. A frame of another scene, or any other file, is only
-// replaced with --overwrite.
+// structure is built once. Each file of a frame contains what it was drawn from: an existing frame is
+// skipped. A frame of another scene, or any other file, is only replaced with --overwrite.
 
 #include "app/carry_files.h"
-#include "app/checkpoint.h"
 #include "app/command.h"
 #include "app/gl_picture.h"
+#include "app/item_key.h"
 #include "app/load.h"
 #include "app/named_files.h"
 #include "app/output.h"
 #include "app/pictures.h"
 #include "app/progress.h"
 #include "app/realtime.h"
-#include "scenefile/base/hash.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/read_cameras.h"
 #include "scenefile/format/write_scene.h"
@@ -21,11 +19,11 @@
 #include "scenefile/io/file.h"
 #include "scenefile/io/folder.h"
 #include "scenefile/io/interrupt.h"
+#include "scenefile/io/item.h"
 #include "scenefile/placement/bounds.h"
 #include "scenefile/scene/check.h"
 #include "scenefile/scene/prepare.h"
 #include "scenefile/trace/layers.h"
-#include "scenefile/trace/part_file.h"
 #include "scenefile/trace/trace_scene.h"
 #include "scenefile/verbs/json_writer.h"
 #include "scenefile/verbs/scene_json.h"
@@ -37,7 +35,6 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -126,35 +123,6 @@ std::string frame_name(const std::string& pattern, std::size_t number) {
                      pattern.substr(end + 1));
 }
 
-// The file that records what a frame was drawn from.
-std::string key_file(const std::string& picture) {
-  return fmt::format("{}/.{}.key", folder_of(picture), file_name_of(picture));
-}
-
-constexpr std::string_view key_start = "scenefile frame 2: ";
-
-// The first line of a key file: fingerprints of everything that a frame is drawn from. The second
-// line is a checksum of the pictures; without it, they may be incomplete.
-std::string key_text(const PartKey& key, const Camera& camera) {
-  return fmt::format("{}{:x} {:x} {:x} {:x}{}\n", key_start, key.program, key.scene, key.assets,
-                     key.options, camera_key(camera));
-}
-
-// How a frame with this key file differs from the requested one, as a phrase that follows "it was
-// drawn".
-std::string frame_mismatch(const std::string& found, const PartKey& wanted, const Camera& camera) {
-  PartKey key;
-  std::istringstream words(found.starts_with(key_start) ? found.substr(key_start.size())
-                                                        : std::string());
-  words >> std::hex >> key.program >> key.scene >> key.assets >> key.options;
-  if (!words) {
-    return "by another version of the program";
-  }
-  const std::string why = foreign_part(key, wanted);
-  const bool same_camera = found.substr(0, found.find('\n')).ends_with(camera_key(camera));
-  return same_camera ? why : why + (why.empty() ? "" : " and ") + "with another camera";
-}
-
 // The video has this name until it is complete.
 std::string unfinished(const std::string& video) {
   return fmt::format("{}/.unfinished-{}", folder_of(video), file_name_of(video));
@@ -169,15 +137,14 @@ class Frames {
         context_(context),
         painter_(options, scene),
         there_(motion.cameras.size()) {
-    const CheckpointKey key = picture_key_of(options, scene);
-    key_ = {key.program, key.scene, key.assets, key.options, 0};
+    key_ = picture_key_of(options, scene);
     range_ = options.range.value_or(FrameRange{1, static_cast<int>(motion.cameras.size())});
   }
 
   Outcome run() {
     const DeferredSignals deferred;
     Outcome outcome = claim_files();
-    if (outcome.error.empty() && !options_.overwrite) {
+    if (outcome.error.empty()) {
       outcome = check_existing();
     }
     for (int number = range_.first; number <= range_.last && outcome.error.empty(); ++number) {
@@ -186,7 +153,7 @@ class Frames {
         outcome = write_scene_of(index);
       }
       if (outcome.error.empty() && !options_.output.empty()) {
-        outcome = is_there(index) ? skip(index) : draw(index);
+        outcome = there_[index] ? skip() : draw(index);
       }
       if (outcome.error.empty() && DeferredSignals::pending() != 0) {
         outcome = outcome_of(RenderStatus::cancelled, context_);
@@ -211,24 +178,8 @@ class Frames {
     return options;
   }
 
-  std::string key_of(std::size_t index) const { return key_text(key_, motion_.cameras[index]); }
-
-  // The contents of the key file for these pictures; empty if they cannot be read.
-  std::string record_of(std::size_t index) const {
-    Hash hash;
-    for (const std::string& file : picture_files(options_of(index))) {
-      const Result<std::string> bytes = read_file(file, std::uint64_t{1} << 40);
-      if (!bytes) {
-        return {};
-      }
-      hash.add(*bytes);
-    }
-    return fmt::format("{}{:x}\n", key_of(index), hash.value());
-  }
-
-  std::string kept_record(std::size_t index) const {
-    Result<std::string> kept = read_file(key_file(name(index)), 1 << 16);
-    return kept ? *std::move(kept) : std::string();
+  std::string key_of(std::size_t index) const {
+    return fmt::format("{} camera={}", key_, camera_key(motion_.cameras[index]));
   }
 
   std::string scene_name(std::size_t index) const {
@@ -248,7 +199,6 @@ class Frames {
         for (const std::string& file : picture_files(options_of(index))) {
           files.push_back(named_file("frame", file));
         }
-        files.push_back(named_file("key of a frame", key_file(name(index))));
       }
       if (!options_.write_scenes.empty()) {
         files.push_back(named_file("scene of a frame", scene_name(index)));
@@ -262,33 +212,39 @@ class Frames {
     return {};
   }
 
-  // Refuses to replace files that are not of this motion, before anything is drawn.
-  Outcome check_existing() const {
+  // Looks which frames exist. Refuses to replace files that are not of this motion, before anything
+  // is drawn, unless --overwrite is given.
+  Outcome check_existing() {
     Outcome outcome;
     for (int number = range_.first; number <= range_.last && outcome.error.empty(); ++number) {
       const auto index = static_cast<std::size_t>(number) - 1;
       if (!options_.output.empty()) {
-        outcome = check_existing_frame(index);
+        outcome = check_frame(index);
       }
-      if (outcome.error.empty() && !options_.write_scenes.empty()) {
+      if (outcome.error.empty() && !options_.write_scenes.empty() && !options_.overwrite) {
         outcome = check_existing_scene(index);
       }
     }
     return outcome;
   }
 
-  Outcome check_existing_frame(std::size_t index) const {
+  // Sets whether all files of the frame exist. A damaged one is drawn again.
+  Outcome check_frame(std::size_t index) {
+    there_[index] = true;
     for (const std::string& file : picture_files(options_of(index))) {
       std::error_code ignored;
       if (!std::filesystem::exists(file, ignored)) {
+        there_[index] = false;
         continue;
       }
-      const std::string kept = kept_record(index);
-      if (!kept.starts_with(key_of(index))) {
+      const Result<std::string> bytes = read_file(file, std::uint64_t{1} << 40);
+      const Item item = bytes ? read_item(*bytes) : Item();
+      there_[index] = there_[index] && item.key == key_of(index);
+      const bool foreign = item.state == ItemState::intact && item.key != key_of(index);
+      if (!options_.overwrite && (foreign || item.state == ItemState::none)) {
         return refusal(file, "-o",
-                       kept.empty() ? "the file exists, and is not a frame"
-                                    : "the frame was drawn " +
-                                          frame_mismatch(kept, key_, motion_.cameras[index]));
+                       foreign ? "the frame was drawn " + key_mismatch(item.key, key_of(index))
+                               : "the file exists, and is not a frame");
       }
     }
     return {};
@@ -316,18 +272,8 @@ class Frames {
                         escaped(file, 400), why, option)};
   }
 
-  bool is_there(std::size_t index) const {
-    std::error_code ignored;
-    if (!std::filesystem::exists(name(index), ignored)) {
-      return false;
-    }
-    const std::string kept = kept_record(index);
-    return !kept.empty() && kept == record_of(index);
-  }
-
-  Outcome skip(std::size_t index) {
+  Outcome skip() {
     ++skipped_;
-    there_[index] = true;
     return {};
   }
 
@@ -346,29 +292,24 @@ class Frames {
     const RenderResult result =
         render(ready, scene_.assets, options_.render, {.progress = progress, .traced = &*traced_});
     const Outcome outcome = outcome_of(result.status, context_);
-    return outcome.error.empty() ? write_pictures(options_of(index), result, context_) : outcome;
+    return outcome.error.empty() ? write_pictures(options_of(index), result, context_, key_of(index))
+                                 : outcome;
   }
 
   Outcome paint(std::size_t index) {
     Image image;
     GlReport report;
     const Outcome outcome = painter_.draw(image, report, context_);
-    return outcome.error.empty() ? write_8bit_picture(options_of(index), image, context_) : outcome;
+    return outcome.error.empty()
+               ? write_8bit_picture(options_of(index), image, context_, key_of(index))
+               : outcome;
   }
 
   Outcome draw(std::size_t index) {
-    // A run that is killed before the frame is complete leaves a key without a checksum.
-    Outcome outcome;
-    if (!kept_record(index).starts_with(key_of(index))) {
-      outcome = outcome_of(write_file(key_file(name(index)), key_of(index)));
-    }
     scene_.ready.scene.camera = ready_camera(motion_.cameras[index]);
     context_.phase = "tracing";
+    const Outcome outcome = options_.engine == Engine::gl ? paint(index) : trace(index);
     if (outcome.error.empty()) {
-      outcome = options_.engine == Engine::gl ? paint(index) : trace(index);
-    }
-    if (outcome.error.empty()) {
-      outcome = outcome_of(write_file(key_file(name(index)), record_of(index)));
       ++drawn_;
       there_[index] = true;
     }
@@ -404,7 +345,10 @@ class Frames {
   Outcome make_video() {
     context_.phase = "making the video";
     for (std::size_t i = 0; i < motion_.cameras.size(); ++i) {
-      if (!there_[i] && !is_there(i)) {
+      if (!there_[i]) {
+        check_frame(i);
+      }
+      if (!there_[i]) {
         return {
             ExitCode::findings,
             fmt::format(
@@ -435,7 +379,7 @@ class Frames {
   LoadedScene& scene_;
   const Motion& motion_;
   Context& context_;
-  PartKey key_;
+  std::string key_;  // without the camera
   FrameRange range_;
   std::optional<TraceScene> traced_;
   GlPainter painter_;

@@ -1,11 +1,10 @@
-#include "app/checkpoint.h"
 #include "app/command.h"
 #include "app/grade_results.h"
+#include "app/item_key.h"
 #include "app/load.h"
 #include "app/load_picture.h"
 #include "app/named_files.h"
 #include "app/output.h"
-#include "app/part_files.h"
 #include "app/progress.h"
 #include "scenefile/asset/image_file.h"
 #include "scenefile/base/hash.h"
@@ -15,10 +14,12 @@
 #include "scenefile/io/archive.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/folder.h"
+#include "scenefile/io/item.h"
 #include "scenefile/verbs/grade_class.h"
 #include "scenefile/verbs/json_writer.h"
 #include "scenefile/verbs/realtime_table.h"
 #include "scenefile/verbs/scene_json.h"
+#include "scenefile/verbs/student_item.h"
 
 #include <fmt/format.h>
 
@@ -49,121 +50,185 @@ Result<std::vector<NamePair>> load_map(const Options& options) {
   return map;
 }
 
-// What the results of a part depend on, in addition to the pictures.
-std::uint64_t options_of_grading(const Options& options, std::span<const NamePair> map) {
+// The words of a key for what results depend on, in addition to the pictures.
+std::string grading_words(const Options& options, std::span<const NamePair> map) {
   // Lists all members, so that adding one is a compile error until it is part of the key.
   const auto& [psnr, mean, difference, share, ssim, flip] = options.thresholds;
-  const auto number = [](const auto& value) {
-    return value ? fmt::format("{:a}", static_cast<double>(*value)) : std::string("-");
+  std::string text = option_words(options);
+  const auto add = [&](std::string_view name, const auto& value) {
+    if (value) {
+      text += fmt::format(" {}={}", name, *value);
+    }
   };
-  std::string text = fmt::format("{:x} {} {} {} {} {} {} {} {} {}", options_fingerprint(options),
-                                 was_given(options, "--profile"), was_given(options, "--features"),
-                                 options.pixel_threshold, number(psnr), number(mean),
-                                 number(difference), number(share), number(ssim), number(flip));
-  Hash hash;
-  hash.add(text);
-  hash.add(options.layer);
+  add("min_psnr", psnr);
+  add("max_mean", mean);
+  add("max_difference", difference);
+  add("max_share", share);
+  add("min_ssim", ssim);
+  add("max_flip", flip);
+  Hash names;
+  names.add(options.layer);
   for (const NamePair& pair : map) {
-    hash.add(pair.handed_in);
-    hash.add(pair.reference);
+    names.add(pair.handed_in);
+    names.add(pair.reference);
   }
-  return hash.value();
+  return fmt::format("{} profile_given={} features_given={} pixel_threshold={} layer_and_map={:x}",
+                     text, was_given(options, "--profile"), was_given(options, "--features"),
+                     options.pixel_threshold, names.value());
 }
 
-// Why this part is not the requested one; empty if it is.
-std::string part_mismatch(const GradePartHead& found, const GradePartHead& wanted) {
-  if (const std::string_view why = foreign_grade_part(found.whole.key, wanted.whole.key);
-      !why.empty()) {
-    return fmt::format("the part was graded {}", why);
+// The results of students: in memory, or with --store in files.
+class StudentStore {
+ public:
+  StudentStore(const Options& options, const ClassGrader& grader, std::span<const NamePair> map)
+      : folder_(options.store) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < grader.students(); ++i) {
+      names.push_back(grader.student(i));
+    }
+    files_ = student_file_names(names);
+    there_.resize(names.size());
+    if (!folder_.empty()) {
+      const std::string words = program_word() + " " + grading_words(options, map) + " ";
+      for (std::size_t i = 0; i < names.size(); ++i) {
+        keys_.push_back(words + grader.key_of(i));
+      }
+    }
   }
-  if (found.index != wanted.index || found.whole.count != wanted.whole.count) {
-    return fmt::format("it is part {} of {}, not {} of {}", found.index + 1, found.whole.count,
-                       wanted.index + 1, wanted.whole.count);
-  }
-  return found.submissions == wanted.submissions ? "" : "the part was graded from other pictures";
-}
 
-// Checks the output file of the part. `exists`: it already contains the part.
-Outcome find_part(const Options& options, const GradePartHead& wanted, bool& exists) {
-  exists = false;
-  std::error_code ignored;
-  if (is_standard_output(options.output) ||
-      !std::filesystem::is_regular_file(options.output, ignored) ||
-      std::filesystem::file_size(options.output, ignored) == 0) {
+  // Looks which results exist. An error if a file is one of another class, or no result at all.
+  Outcome open(Context& context) {
+    context.phase = "reading the store";
+    for (std::size_t i = 0; i < keys_.size(); ++i) {
+      if (Outcome refused =
+              outcome_of(context.files.write(named_file("result of a student", path_of(i))));
+          refused.status != ExitCode::fine) {
+        return refused;
+      }
+      std::error_code error;
+      if (!std::filesystem::exists(path_of(i), error) && !error) {
+        continue;
+      }
+      const Result<std::string> bytes = read_file(path_of(i), max_bytes);
+      if (!bytes) {
+        return {exit_code(bytes.error().kind), bytes.error().text};
+      }
+      const Item item = read_item(*bytes);
+      const bool other = item.state == ItemState::intact && item.key != keys_[i];
+      if (other || (item.state == ItemState::none && !bytes->empty())) {
+        return {ExitCode::findings,
+                fmt::format("{}: {}; choose another folder, or remove the file",
+                            escaped(path_of(i), 400),
+                            other ? "it was graded " + key_mismatch(item.key, keys_[i])
+                                  : "it is not the result of a student")};
+      }
+      there_[i] = item.state == ItemState::intact;
+    }
     return {};
   }
-  const Result<GradePart> found = read_grade_part(options.output);
-  if (!found) {
-    return {ExitCode::environment, found.error().text};
+
+  bool has(std::size_t student) const { return there_[student]; }
+
+  Outcome write(std::size_t student, const StudentResult& result) {
+    std::error_code error;
+    std::filesystem::create_directories(folder_, error);
+    if (error) {
+      return {ExitCode::environment, fmt::format("{}: cannot make the folder of --store: {}",
+                                                 escaped(folder_, 400), error.message())};
+    }
+    std::string bytes = encode_student(result, item_text(keys_[student]));
+    seal_item(bytes);
+    there_[student] = true;
+    return outcome_of(write_file(path_of(student), bytes));
   }
-  std::string why = found->damage;
-  if (why.empty()) {
-    why = part_mismatch(found->head, wanted);
-    exists = why.empty();
-  } else if (kind_of_part(options.output) == PartKind::of_class) {
-    return {};  // damaged: will be written again
+
+  Outcome read(std::size_t student, StudentResult& result) const {
+    const Result<std::string> bytes = read_file(path_of(student), max_bytes);
+    if (!bytes) {
+      return {exit_code(bytes.error().kind), bytes.error().text};
+    }
+    return read_item(*bytes).key == keys_[student] && decode_student(*bytes, result)
+               ? Outcome()
+               : Outcome{ExitCode::environment,
+                         fmt::format("{}: the file was changed while it was used",
+                                     escaped(path_of(student), 400))};
   }
-  return why.empty() ? Outcome()
-                     : Outcome{ExitCode::findings,
-                               fmt::format("{}: {}; remove the file or choose another name",
-                                           escaped(options.output, 400), why)};
+
+ private:
+  static constexpr std::uint64_t max_bytes = std::uint64_t{1} << 32;
+
+  std::string path_of(std::size_t student) const {
+    return fmt::format("{}/{}.json", folder_, files_[student]);
+  }
+
+  std::string folder_;  // empty: nothing is stored
+  std::vector<std::string> files_;
+  std::vector<std::string> keys_;
+  std::vector<bool> there_;
+};
+
+// The students of share `index` of `count`.
+struct StudentShare {
+  std::size_t first = 0;
+  std::size_t end = 0;
+};
+StudentShare share_of_students(std::size_t students, std::uint32_t index, std::uint32_t count) {
+  return {students * index / count, students * (std::size_t{index} + 1) / count};
 }
 
-std::string part_json(const Options& options, std::size_t students, bool skipped,
-                      const std::string& error) {
+std::string store_json(const std::vector<std::uint32_t>* missing, std::size_t found,
+                       std::size_t graded) {
   Json json;
   begin_document(json, "grade");
-  json.key("part");
-  json.begin_object();
-  json.add("number", options.part->index + 1);
-  json.add("count", options.part->count);
-  json.add("skipped", skipped);
-  json.add("students", students);
-  json.end_object();
-  json.add("output", options.output);
-  if (!error.empty()) {
-    json.add("error", error);
+  json.begin_object("store");
+  json.add("found", found);
+  json.add("graded", graded);
+  if (missing != nullptr) {
+    json.begin_array("missing");
+    for (const std::uint32_t share : *missing) {
+      json.value(share);
+    }
+    json.end_array();
   }
+  json.end_object();
   json.end_object();
   return json.text();
 }
 
-// Grades a part of the students into a file.
-ExitCode grade_part(const Options& options, ClassGrader& grader, std::span<const NamePair> map,
-                    const std::function<bool(double)>& go_on, Context& context) {
-  const auto [index, count] = *options.part;
-  const StudentRange range = students_of(index, count, grader.students());
-  GradePartHead head;
-  head.whole.key = {program_fingerprint(), grader.student_names(), grader.references(),
-                    options_of_grading(options, map)};
-  head.whole.count = count;
-  head.whole.students = static_cast<std::uint32_t>(grader.students());
-  head.whole.pictures = grader.pictures();
-  head.index = index;
-  head.submissions = grader.submissions(range);
-  bool exists = false;
-  context.phase = "checking the part";
-  Outcome outcome = find_part(options, head, exists);
-  if (outcome.status == ExitCode::fine && !exists) {
-    const Result<Gradebook> graded = grader.grade(range, go_on);
-    context.phase = "writing the part";
-    outcome = !graded ? Outcome{exit_code(graded.error().kind), graded.error().text}
-                      : outcome_of(write_file(options.output, encode_grade_part(head, *graded)));
+// Prints the shares with students to grade; status 1 if there are any.
+ExitCode answer_missing(const Options& options, const StudentStore& store, std::size_t students) {
+  std::vector<std::uint32_t> missing;
+  std::string lines;
+  std::size_t found = 0;
+  for (std::uint32_t i = 0; i < *options.missing; ++i) {
+    const StudentShare share = share_of_students(students, i, *options.missing);
+    bool complete = true;
+    for (std::size_t s = share.first; s < share.end; ++s) {
+      complete = complete && store.has(s);
+      found += store.has(s) ? 1 : 0;
+    }
+    if (!complete) {
+      missing.push_back(i + 1);
+      lines += fmt::format("{}\n", i + 1);
+    }
   }
-  const std::size_t students = range.end - range.begin;
+  const ExitCode status = missing.empty() ? ExitCode::fine : ExitCode::findings;
+  const std::string text = options.json ? store_json(&missing, found, 0) : lines;
+  return text.empty() ? status : worse(status, answer(text));
+}
+
+ExitCode answer_share(const Options& options, std::size_t found, std::size_t graded) {
   if (options.json) {
-    return worse(outcome.status, answer(part_json(options, students, exists, outcome.error)));
+    return answer(store_json(nullptr, found, graded));
   }
-  if (outcome.status != ExitCode::fine) {
-    say_error(outcome.error);
-  } else if (!options.quiet) {
+  if (!options.quiet) {
     say_afterwards([&] {
-      return fmt::format("{}: part {} of {}{}, {} student{}\n", escaped(options.output),
-                         head.index + 1, head.whole.count, exists ? " exists already" : "",
-                         students, students == 1 ? "" : "s");
+      return fmt::format("{}: share {} of {}: {} student{} graded, {} found\n",
+                         escaped(options.store), options.part->index + 1, options.part->count,
+                         graded, graded == 1 ? "" : "s", found);
     });
   }
-  return outcome.status;
+  return ExitCode::fine;
 }
 
 // Adds the files that are read to context.files. An error if an output would replace one of them.
@@ -211,8 +276,7 @@ ExitCode run_grade(const Options& options, Context& context) {
       .scenes = options.scenes,
       .compare = compare_settings(options),
       .layer = options.layer,
-      // merge may need them.
-      .thumbnails = options.part.has_value() || !options.report.empty() || !options.pages.empty(),
+      .thumbnails = !options.store.empty() || !options.report.empty() || !options.pages.empty(),
       .map = *std::move(map)};
   const auto load_scene = [&](const std::string& path) {
     LoadedScene scene = load_scene_of_pictures(path, options, context);
@@ -222,10 +286,6 @@ ExitCode run_grade(const Options& options, Context& context) {
     return scene;
   };
   std::optional<ProgressBar> bar(!options.quiet && !options.json && wants_progress());
-  const auto go_on = [&](double done) {
-    bar->update(done);
-    return true;
-  };
   Result<ClassGrader> grader =
       ClassGrader::open(request, load_scene, [&](const char* phase) { context.phase = phase; });
   if (!grader) {
@@ -247,18 +307,53 @@ ExitCode run_grade(const Options& options, Context& context) {
     }
     return refused.status;
   }
-  if (options.part) {
-    return grade_part(options, *grader, request.map, go_on, context);
+  StudentStore store(options, *grader, request.map);
+  Outcome outcome = store.open(context);
+  if (outcome.status == ExitCode::fine && options.missing) {
+    bar.reset();
+    return answer_missing(options, store, grader->students());
   }
-  Result<Gradebook> graded = grader->grade({0, grader->students()}, go_on);
+  const StudentShare share =
+      options.part ? share_of_students(grader->students(), options.part->index, options.part->count)
+                   : StudentShare{0, grader->students()};
+  Gradebook book = grader->empty_book();
+  std::size_t found = 0;
+  for (std::size_t s = share.first; s < share.end && outcome.status == ExitCode::fine; ++s) {
+    StudentResult& result = book.students.emplace_back();
+    if (store.has(s)) {
+      ++found;
+      outcome = options.part ? outcome : store.read(s, result);
+      continue;
+    }
+    Result<StudentResult> graded = grader->grade(s, [&](double done) {
+      bar->update((static_cast<double>(s - share.first) + done) /
+                  static_cast<double>(share.end - share.first));
+      return true;
+    });
+    if (!graded) {
+      outcome = {exit_code(graded.error().kind), graded.error().text};
+    } else {
+      result = *std::move(graded);
+      outcome = options.store.empty() ? outcome : store.write(s, result);
+    }
+  }
   bar.reset();
-  if (!graded) {
-    say_error(graded.error().text);
-    return exit_code(graded.error().kind);
+  if (outcome.status != ExitCode::fine) {
+    say_error(outcome.error);
+    return outcome.status;
   }
-  find_identical_files(*graded);
-  return write_results(options, *std::move(graded), quoted(options.arguments.front(), 400),
-                       context);
+  if (options.part) {
+    return answer_share(options, found, share.end - share.first - found);
+  }
+  if (options.report.empty() && options.pages.empty()) {
+    for (StudentResult& student : book.students) {
+      for (PictureResult& picture : student.pictures) {
+        picture.png = {};
+      }
+    }
+  }
+  find_identical_files(book);
+  return write_results(options, std::move(book), quoted(options.arguments.front(), 400), context);
 }
 
 }  // namespace scenefile::app

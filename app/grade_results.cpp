@@ -111,38 +111,20 @@ class NewFiles {
   std::vector<fs::path> added_;
 };
 
-// Unique file names for the pages of students.
-class PageNames {
- public:
-  std::string name_of(const std::string& student) {
-    std::string base;
-    for (const char c : student.substr(0, max_length)) {
-      const auto byte = static_cast<unsigned char>(c);
-      const bool plain = byte >= 0x80 || std::isalnum(byte) != 0 ||
-                         std::string_view("._-").find(c) != std::string_view::npos;
-      base += plain ? c : '_';
-    }
-    std::string name = base;
-    for (int i = 2; !used_.insert(name).second; ++i) {
-      name = fmt::format("{}-{}", base, i);
-    }
-    return name + ".html";
-  }
-
- private:
-  static constexpr std::size_t max_length = 200;  // of 255 bytes
-  std::set<std::string> used_;
-};
-
 Result<void> write_pages(const std::string& folder, const Gradebook& book,
                          const PageHeading& heading, NewFiles& files) {
   if (const Result<void> made = files.make_folder(folder); !made) {
     return made;
   }
-  PageNames names;
+  std::vector<std::string> students;
   for (const StudentResult& student : book.students) {
-    const Result<void> written = files.write(fs::path(folder) / names.name_of(student.name),
-                                             student_html(student, heading.title, heading.date));
+    students.push_back(student.name);
+  }
+  const std::vector<std::string> names = student_file_names(students);
+  for (std::size_t s = 0; s < names.size(); ++s) {
+    const Result<void> written =
+        files.write(fs::path(folder) / (names[s] + ".html"),
+                    student_html(book.students[s], heading.title, heading.date));
     if (!written) {
       return written;
     }
@@ -222,16 +204,37 @@ Result<void> write_all(const Options& options, Gradebook& book) {
 
 }  // namespace
 
+std::vector<std::string> student_file_names(std::span<const std::string> students) {
+  constexpr std::size_t max_length = 200;  // of 255 bytes
+  std::set<std::string> used;
+  std::vector<std::string> names;
+  for (const std::string& student : students) {
+    std::string base;
+    for (const char c : student.substr(0, max_length)) {
+      const auto byte = static_cast<unsigned char>(c);
+      const bool plain = byte >= 0x80 || std::isalnum(byte) != 0 ||
+                         std::string_view("._-").find(c) != std::string_view::npos;
+      base += plain ? c : '_';
+    }
+    std::string name = base;
+    for (int i = 2; !used.insert(name).second; ++i) {
+      name = fmt::format("{}-{}", base, i);
+    }
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
 Outcome claim_pages(const Options& options, std::span<const std::string> students,
                     std::size_t pictures, Context& context) {
   Result<void> added;
   const auto add = [&](std::string_view role, const fs::path& path) {
     added = added ? context.files.write(named_file(role, path.string())) : added;
   };
-  PageNames names;
+  const std::vector<std::string> names = student_file_names(students);
   for (std::size_t s = 0; s < students.size(); ++s) {
     if (!options.pages.empty()) {
-      add("page of a student", fs::path(options.pages) / names.name_of(students[s]));
+      add("page of a student", fs::path(options.pages) / (names[s] + ".html"));
     }
     for (std::size_t p = 0; pictures > many_pictures && p < pictures / students.size(); ++p) {
       if (!options.report.empty()) {

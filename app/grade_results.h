@@ -1,5 +1,5 @@
 #pragma once
-// The output of grade, and of merge for parts of a class.
+// The output of grade.
 
 #include "app/load.h"
 #include "scenefile/grade/gradebook.h"
@@ -8,8 +8,12 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace scenefile::app {
+
+/// Unique names of files for these students, without extension.
+std::vector<std::string> student_file_names(std::span<const std::string> students);
 
 /// Adds the pages of these students and the pictures next to the report to context.files. An error
 /// if one would replace another file. `pictures`: the number of pictures of the class.

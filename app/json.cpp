@@ -223,7 +223,7 @@ std::string render_json(const LoadedScene& scene, const RenderReport& report) {
   json.key("scene");
   add_scene(json, scene);
   json.add("output", report.output);
-  json.add("written", report.error.empty());
+  json.add("written", report.written);
   if (!report.error.empty()) {
     json.add("error", report.error);
   }
@@ -239,17 +239,15 @@ std::string render_json(const LoadedScene& scene, const RenderReport& report) {
                   [](const Layer& l) { return l.kind == LayerKind::object_id; })) {
     add_object_ids(json, scene);
   }
-  if (report.part) {
-    json.begin_object("part");
-    json.add("number", report.part->index + 1);
-    json.add("count", report.part->count);
-    json.begin_array("region");
-    for (const int side : {report.part->region.x0, report.part->region.y0, report.part->region.x1,
-                           report.part->region.y1}) {
-      json.value(side);
+  if (report.store) {
+    json.begin_object("store");
+    json.add("found", report.store->found);
+    json.add("drawn", report.store->drawn);
+    json.begin_array("missing");
+    for (const std::uint32_t share : report.store->missing) {
+      json.value(share);
     }
     json.end_array();
-    json.add("skipped", report.part->skipped);
     json.end_object();
   }
   add_work(json, report);

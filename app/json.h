@@ -16,12 +16,11 @@
 
 namespace scenefile::app {
 
-/// A part that was drawn.
-struct PartReport {
-  std::uint32_t index = 0;  ///< counted from 0
-  std::uint32_t count = 1;
-  PixelRegion region;
-  bool skipped = false;  ///< its file already existed
+/// The work on a store.
+struct StoreReport {
+  std::size_t found = 0;               ///< bands that existed
+  std::size_t drawn = 0;               ///< new bands
+  std::vector<std::uint32_t> missing;  ///< shares, counted from 1, if these were requested
 };
 
 /// The result of a render.
@@ -33,7 +32,8 @@ struct RenderReport {
   RenderStats stats;
   GlReport gl;  ///< for --engine gl
   std::optional<RealtimeReport> realtime;
-  std::optional<PartReport> part;
+  std::optional<StoreReport> store;
+  bool written = false;  ///< the picture
 };
 std::string render_json(const LoadedScene& scene, const RenderReport& report);
 

@@ -34,24 +34,12 @@ constexpr std::array command_rows{
             "scenefile render chess.xml -o chess.png --size 1920x1080 --samples 64\n"
             "scenefile render chess.xml -o chess.png --profile course --features shadows,reflect\n"
             "scenefile render chess.xml -o chess.png --engine gl\n"
-            "scenefile render chess.xml -o parts/3.part --size 7680x4320 --part 3/64\n"
+            "scenefile render chess.xml -o chess.png --size 7680x4320 --store bands\n"
+            "scenefile render chess.xml --size 7680x4320 --store bands --part 3/64\n"
             "scenefile render glossy.ini --samples 400\n"
             "scenefile render chess.xml -o chess.exr --asset-root ~/course/data\n"
             "cat chess.xml | scenefile render - -o - > chess.png",
             run_render},
-    Command{
-        "merge", for_merge, "PARTS... -o OUT", "merge the parts of a picture, or of a class",
-        "Reads the files that render --part wrote, and writes the same bytes that a single process "
-        "would have written: the picture and its layers. A folder stands for the parts in it. If "
-        "parts "
-        "are missing, duplicated, damaged or from another picture, they are listed, nothing is "
-        "written, and the exit status is 1. Needs little memory even for very large pictures. The "
-        "files of grade --part are merged in the same way into the reports of the whole class.",
-        "scenefile merge parts/ -o chess.png\n"
-        "scenefile merge chess.*.part -o chess.exr\n"
-        "scenefile merge parts/ --missing\n"
-        "scenefile merge graded/ --report report.html --csv grades.csv",
-        run_merge, one_or_more},
     Command{"frames", for_frames, "SCENE -o PATTERN", "draw numbered frames with a moving camera",
             "Draws a numbered picture for each frame of a full turn around the scene "
             "(--turntable), or of a path through given views (--path). Frames that already exist "
@@ -117,7 +105,8 @@ constexpr std::array command_rows{
         "scenefile grade handed-in --references right --map names.csv --csv grades.csv\n"
         "scenefile grade mine --references right --gradescope results.json\n"
         "scenefile grade mine --references right --max-share 2 --junit results.xml\n"
-        "scenefile grade handed-in --references right --part 3/16 -o graded/3.part",
+        "scenefile grade handed-in --references right --store graded --report report.html\n"
+        "scenefile grade handed-in --references right --store graded --part 3/16",
         run_grade},
     Command{"format", for_format, "FILE...", "format scene files in place",
             "Writes each file again with one element or member per line. Comments, values, their "

@@ -31,7 +31,7 @@ bool contains(std::span<const std::string_view> words, std::string_view word) {
 
 // What messages call a file, by the name of its option or the word for the argument.
 std::string role_of(std::string_view name) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 12> others{
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 11> others{
       {{"--heatmap", "heat map"},
        {"--csv", "CSV table"},
        {"--csv-students", "CSV table of students"},
@@ -42,8 +42,7 @@ std::string role_of(std::string_view name) {
        {"A", "picture A"},
        {"B", "picture B"},
        {"DIR", "archive of the class"},  // if it is a file
-       {"IN", "input"},
-       {"PARTS", "part"}}};
+       {"IN", "input"}}};
   const auto other = std::find_if(others.begin(), others.end(),
                                   [&](const auto& row) { return row.first == name; });
   return other != others.end() ? std::string(other->second)
@@ -79,9 +78,7 @@ Result<void> add_named_files(const Command& command, const Options& options, Use
   }
   for (const auto& [row, value] : options.given) {
     const UsedFile file = named_file(role_of(row->name), value);
-    // Until the picture is complete, its own file may show it.
-    const bool shared = row->name == "--preview" && same_file(value, options.output);
-    if (added && row->value == "OUT" && !shared) {
+    if (added && row->value == "OUT") {
       added = files.write(file);
     } else if (added && contains(words_for_inputs, row->value)) {
       added = files.read(file);

@@ -8,9 +8,9 @@
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/folder.h"
+#include "scenefile/trace/bands.h"
 #include "scenefile/trace/features.h"
 #include "scenefile/trace/layers.h"
-#include "scenefile/trace/pieces.h"
 #include "scenefile/verbs/codes.h"
 
 #include <fmt/format.h>
@@ -287,11 +287,6 @@ std::string set_timeout(Options& options, const std::string& value) {
   return {};
 }
 
-std::string set_checkpoint(Options& options, const std::string& value) {
-  options.checkpoint = value;
-  return value.empty() ? "the name is empty" : value == "-" ? "it must be a file, not -" : "";
-}
-
 std::string set_layers(Options& options, const std::string& value) {
   if (std::string wrong = check_list(value, "depth,normal"); !wrong.empty()) {
     return wrong;
@@ -334,8 +329,8 @@ std::string set_part(Options& options, const std::string& value) {
   PartPlace& part = options.part.emplace();
   std::string wrong =
       slash == std::string::npos
-          ? fmt::format("{} is not a part such as 3/64", quoted(value))
-          : set_number(value.substr(slash + 1), std::uint32_t{1}, max_parts, part.count);
+          ? fmt::format("{} is not a share such as 3/64", quoted(value))
+          : set_number(value.substr(slash + 1), std::uint32_t{1}, max_shares, part.count);
   if (wrong.empty()) {
     wrong = set_number(value.substr(0, slash), std::uint32_t{1}, part.count, part.index);
     part.index -= wrong.empty() ? 1 : 0;
@@ -352,11 +347,6 @@ std::string set_range(Options& options, const std::string& value) {
   std::string wrong = set_number(value.substr(0, colon), 1, 1000000, range.first);
   return wrong.empty() ? set_number(value.substr(colon + 1), range.first, 1000000, range.last)
                        : wrong;
-}
-
-std::string set_preview(Options& options, const std::string& value) {
-  options.preview = value;
-  return value.empty() ? "the name is empty" : "";
 }
 
 std::string add_asset_root(Options& options, const std::string& value) {
@@ -417,9 +407,9 @@ std::string set_flag_of(Options& options, const std::string& /*value*/) {
 constexpr std::array option_rows{
     OptionRow{
         "--output", "-o", "OUT",
-        "The picture to write: .png, .exr or .pfm; - for a PNG on standard output. With --part, "
-        "the file for the part, with any name; for frames, a pattern such as frame%04d.png.",
-        for_render | for_merge | for_frames | for_grade, set_output},
+        "The picture to write: .png, .exr or .pfm; - for a PNG on standard output. For frames, a "
+        "pattern such as frame%04d.png.",
+        for_render | for_frames, set_output},
     OptionRow{"--size", "", "WxH", "Size in pixels (default 1024x768).", for_tracing, set_size,
               "width"},
     OptionRow{"--pixel", "", "X,Y",
@@ -595,20 +585,20 @@ constexpr std::array option_rows{
     OptionRow{
         "--report", "", "OUT",
         "Write an HTML report; for large classes, its pictures are in the folder OUT-pictures.",
-        for_grade | for_merge, set_name<&Options::report>},
+        for_grade, set_name<&Options::report>},
     OptionRow{"--pages", "", "OUTDIR", "Write an HTML page for each student into this folder.",
-              for_grade | for_merge, set_name<&Options::pages>},
+              for_grade, set_name<&Options::pages>},
     OptionRow{"--title", "", "TEXT",
               "The title of the report and the pages (default: the name of the class's folder).",
-              for_grade | for_merge, set_name<&Options::title>},
+              for_grade, set_name<&Options::title>},
     OptionRow{"--csv", "", "OUT", "Write the results as CSV, for spreadsheets.",
-              for_grade | for_merge, set_name<&Options::csv>},
+              for_grade, set_name<&Options::csv>},
     OptionRow{"--gradescope", "", "OUT",
               "Write the results of one student in Gradescope's format, results.json.",
-              for_grade | for_merge, set_name<&Options::gradescope>},
+              for_grade, set_name<&Options::gradescope>},
     OptionRow{"--csv-students", "", "OUT", "Write the score of each student as CSV.",
-              for_grade | for_merge, set_name<&Options::csv_students>},
-    OptionRow{"--junit", "", "OUT", "Write the results as JUnit XML.", for_grade | for_merge,
+              for_grade, set_name<&Options::csv_students>},
+    OptionRow{"--junit", "", "OUT", "Write the results as JUnit XML.", for_grade,
               set_name<&Options::junit>},
     OptionRow{"--min-psnr", "", "DB",
               "Pictures differ below this PSNR. This and the next options apply to pictures. "
@@ -641,15 +631,6 @@ constexpr std::array option_rows{
               "Segments of a full turn of round shapes, for output in glTF and OBJ (default 64).",
               for_convert,
               [](Options& o, const std::string& v) { return set_number(v, 3, 1024, o.segments); }},
-    OptionRow{"--checkpoint",
-              "",
-              "OUT",
-              "Save the state of the render in this file, about every 4 seconds, and continue "
-              "from it if it exists. It is removed when the picture is written.",
-              for_render,
-              set_checkpoint,
-              "",
-              {.gl = false, .path = false}},
     OptionRow{
         "--crop", "", "X0,Y0,X1,Y1",
         "Draw only the pixels from column X0 and row Y0 up to, but not including, X1 and Y1 (row 0 "
@@ -678,20 +659,22 @@ constexpr std::array option_rows{
               "Run the steps in this file instead of a user's input, then close the window; "
               "docs/viewer.md lists the steps.",
               for_view, set_name<&Options::script>},
-    OptionRow{"--part",
-              "",
-              "I/N",
-              "Draw only part I of N of the picture, where I is 1 to N, or grade only that part of "
-              "the students, and write it to a file for merge. If that file already exists and is "
-              "complete, do nothing.",
+    OptionRow{"--store", "", "OUTDIR",
+              "Keep the work in this folder, in pieces: bands of the picture, results of students. "
+              "The same command continues from the pieces that exist, and writes the result when "
+              "all do. Pieces of other work are an error (status 1).",
+              for_render | for_grade, set_name<&Options::store>},
+    OptionRow{"--part", "", "I/N",
+              "With --store: make only share I of N, where I is 1 to N, and write no result. "
+              "Several machines can make the shares at the same time.",
+              for_render | for_grade, set_part},
+    OptionRow{"--missing", "", "N",
+              "With --store: make nothing, but print which of N shares are still to make, one per "
+              "line. The exit status is 1 if there are any.",
               for_render | for_grade,
-              set_part,
-              "",
-              {.path = false}},
-    OptionRow{"--missing", "", "",
-              "Write nothing; print the numbers of missing and damaged parts, one per line. The "
-              "exit status is 1 if there are any.",
-              for_merge, set_flag<&Options::missing>},
+              [](Options& o, const std::string& v) {
+                return set_number(v, std::uint32_t{1}, max_shares, o.missing);
+              }},
     OptionRow{
         "--turntable", "", "N",
         "N frames in which the camera turns once around the scene; the first is the camera of "
@@ -723,9 +706,6 @@ constexpr std::array option_rows{
         "Replace existing files with the names of frames and scenes, such as frames of another "
         "scene or with other options (default: refuse).",
         for_frames, set_flag<&Options::overwrite>},
-    OptionRow{"--preview", "", "OUT",
-              "Write the unfinished picture to this file every two seconds.", for_render,
-              set_preview, "", tracer_only},
     OptionRow{
         "--compat", "", "NAME",
         "course: read as the course's programs did where the format says otherwise: every object "
@@ -765,16 +745,16 @@ constexpr std::array option_rows{
     OptionRow{"--max-memory", "", "BYTES",
               "Use at most this much memory, such as 800M or 4G (default: 80 % of what the system "
               "allows).",
-              for_all_readers | for_pictures | for_format | for_view | for_merge, set_max_memory},
+              for_all_readers | for_pictures | for_format | for_view, set_max_memory},
     OptionRow{"--timeout", "", "SECONDS",
               "Stop with exit status 4 after this time, without writing outputs.",
-              for_all_readers | for_pictures | for_format | for_view | for_merge, set_timeout},
+              for_all_readers | for_pictures | for_format | for_view, set_timeout},
     OptionRow{"--files", "", "",
               "List textures and meshes with the place where each was found, or why it was not.",
               for_info, set_flag<&Options::files>},
     OptionRow{"--tree", "", "", "Show the scene graph.", for_info, set_flag<&Options::tree>},
     OptionRow{"--json", "", "", "Answer in JSON, for programs.",
-              for_all_readers | for_pictures | for_format | for_help | for_version | for_merge,
+              for_all_readers | for_pictures | for_format | for_help | for_version,
               set_flag<&Options::json>},
     OptionRow{"--sarif", "", "", "Answer in SARIF 2.1.0, for code hosts and editors.", for_check,
               set_flag<&Options::sarif>},
@@ -789,11 +769,11 @@ constexpr std::array option_rows{
               "bash).",
               for_help, set_completion},
     OptionRow{"--quiet", "-q", "", "Print only errors.",
-              for_tracing | for_check | for_convert | for_pictures | for_format | for_merge,
+              for_tracing | for_check | for_convert | for_pictures | for_format,
               set_flag<&Options::quiet>},
     OptionRow{
         "--help", "-h", "", "Print this help.",
-        for_all_readers | for_pictures | for_format | for_help | for_version | for_view | for_merge,
+        for_all_readers | for_pictures | for_format | for_help | for_version | for_view,
         set_flag<&Options::help>},
 };
 

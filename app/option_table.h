@@ -20,8 +20,7 @@ inline constexpr unsigned for_format = 128;
 inline constexpr unsigned for_explain = 256;
 inline constexpr unsigned for_grade = 512;
 inline constexpr unsigned for_view = 1024;
-inline constexpr unsigned for_merge = 2048;
-inline constexpr unsigned for_frames = 4096;
+inline constexpr unsigned for_frames = 2048;
 /// Commands that compare pictures.
 inline constexpr unsigned for_pictures = for_diff | for_grade;
 /// Options of the tracer.

@@ -138,9 +138,7 @@ std::string check_count(const Command& command, const std::vector<std::string>& 
   const auto [fewest, most] = command.count;
   if (arguments.size() < fewest) {
     return fmt::format("{} needs {}: scenefile {} {}", command.name,
-                       fewest == 1 ? (command.bit == for_grade   ? "a folder"
-                                      : command.bit == for_merge ? "parts"
-                                                                 : "a scene")
+                       fewest == 1 ? (command.bit == for_grade ? "a folder" : "a scene")
                                    : fmt::format("{} names", fewest),
                        command.name, command.arguments);
   }
@@ -263,22 +261,39 @@ std::string check_picture(const Options& options, std::string_view command) {
   return options.any_extension ? std::string() : check_output(command, options.output);
 }
 
+// Whether the work ends before the result.
+bool works_on_share(const Options& options) {
+  return options.part.has_value() || options.missing.has_value();
+}
+
+// Checks the options for a store.
+std::string check_store(const Options& options) {
+  if (works_on_share(options) && options.store.empty()) {
+    return fmt::format("{} needs the folder of the work: --store DIR",
+                       options.part ? "--part" : "--missing");
+  }
+  return options.part && options.missing ? "--part makes a share, --missing lists shares: choose one"
+                                         : "";
+}
+
 // Checks of render that need more than one option.
 std::string check_render(const Options& options) {
-  if (!options.checkpoint.empty() && (options.render.denoise || !options.render.layers.empty())) {
-    return fmt::format("--checkpoint cannot be combined with {}",
-                       options.render.denoise ? "--denoise" : "--aov");
-  }
   if (options.json && is_standard_output(options.output)) {
     return "the picture and --json cannot both go to standard output";
   }
-  if (!options.preview.empty() && !image_format_of(options.preview)) {
-    return fmt::format("--preview: the name {} must end in {}", quoted(options.preview, 400),
-                       image_extensions);
+  if (std::string wrong = check_store(options); !wrong.empty()) {
+    return wrong;
   }
-  if (options.part.has_value()) {
-    return options.output.empty() ? "render --part needs a file to write: -o FILE"
-                                  : check_crop(options);
+  if (!options.store.empty() && options.engine != Engine::trace) {
+    return fmt::format("--store is for the ray tracer: leave it out, or {}",
+                       options.realtime ? "--profile realtime" : "--engine gl");
+  }
+  if (!options.store.empty() && options.seconds > 0) {
+    return "--store cannot be combined with --time, which takes other samples each time";
+  }
+  // The picture is not written.
+  if (works_on_share(options) && options.output.empty()) {
+    return check_crop(options);
   }
   return check_picture(options, "render");
 }
@@ -322,35 +337,19 @@ std::string check_frames(const Options& options) {
   return options.output.empty() ? std::string() : check_picture(options, "frames");
 }
 
-// Checks of merge that need more than one option.
-std::string check_merge(const Options& options) {
-  if (options.json && is_standard_output(options.output)) {
-    return "the picture and --json cannot both go to standard output";
-  }
-  // Parts of a class and parts of a picture have different outputs.
-  return options.missing || options.output.empty() ? std::string()
-                                                   : check_output("merge", options.output);
-}
-
 // Checks of grade that need more than one option.
 std::string check_grade(const Options& options) {
   if (options.references.empty()) {
     return "grade needs the reference pictures: --references DIR";
   }
-  if (options.part.has_value() == options.output.empty()) {
-    return options.part.has_value()
-               ? "grade --part needs a file to write: -o FILE"
-               : "-o is for --part; the results go to --report, --csv, --junit or --pages";
-  }
   for (const std::string_view name :
        {"--report", "--pages", "--title", "--csv", "--csv-students", "--junit", "--gradescope"}) {
-    if (options.part.has_value() && was_given(options, name)) {
-      return fmt::format("{} is for the whole class: give it to merge", name);
+    if (works_on_share(options) && was_given(options, name)) {
+      return fmt::format("{} is for the whole class: leave it out, or {}", name,
+                         options.part ? "--part" : "--missing");
     }
   }
-  return options.part.has_value() && is_standard_output(options.output)
-             ? "the part must be a file, not -"
-             : std::string();
+  return check_store(options);
 }
 
 // Checks that need more than one option.
@@ -390,7 +389,6 @@ std::string check_together(const Command& command, Options& options) {
                        options.render.width, options.render.height, most);
   }
   return command.bit == for_render   ? check_render(options)
-         : command.bit == for_merge  ? check_merge(options)
          : command.bit == for_frames ? check_frames(options)
          : command.bit == for_view   ? check_window(options)
                                      : std::string();

@@ -30,7 +30,7 @@ struct PixelPlace {
   int y = 0;
 };
 
-/// A part of a picture, counted from 0.
+/// A share of the work, counted from 0.
 struct PartPlace {
   std::uint32_t index = 0;
   std::uint32_t count = 1;
@@ -70,10 +70,9 @@ struct Options {
   Tone tone = Tone::course;        ///< mode path: of PNG files
   double exposure = 0;             ///< mode path: of PNG files, in stops
   double seconds = 0;              ///< mode path: time for samples; 0: no limit
-  std::string checkpoint;          ///< a file; empty: none
-  std::string preview;             ///< a file; empty: none
-  std::optional<PartPlace> part;   ///< draw only this part
-  bool missing = false;            ///< merge: list the missing parts
+  std::string store;               ///< a folder for the work done so far; empty: none
+  std::optional<PartPlace> part;   ///< only this share of the work of the store
+  std::optional<std::uint32_t> missing;  ///< list the missing of this many shares
 
   std::optional<int> turntable;     ///< frames: number of frames of a full turn
   std::string path;                 ///< frames: a file with views; empty: none

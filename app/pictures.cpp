@@ -1,14 +1,13 @@
 #include "app/pictures.h"
 
-#include "app/output.h"
 #include "scenefile/asset/image_file.h"
 #include "scenefile/io/file.h"
+#include "scenefile/io/item.h"
 #include "scenefile/io/memory.h"
 #include "scenefile/trace/layers.h"
 
 #include <fmt/format.h>
 
-#include <memory>
 
 namespace scenefile::app {
 
@@ -22,11 +21,19 @@ LayerStorage storage_of(const Options& options) {
   return layer_storage(format_of(options.output));
 }
 
-Outcome write(const std::string& path, const Result<std::string>& bytes, Context& context) {
+FileNote note_of(std::string_view key) {
+  return {key.empty() ? std::string() : item_text(key)};
+}
+
+Outcome write(const std::string& path, Result<std::string> bytes, std::string_view key,
+              Context& context) {
   if (!bytes) {
     return {ExitCode::environment, "cannot encode the picture: " + bytes.error().text};
   }
   context.phase = "writing the picture";
+  if (!key.empty()) {
+    seal_item(*bytes);
+  }
   return outcome_of(write_file(path, *bytes));
 }
 
@@ -43,16 +50,18 @@ const Image& shown_in(const std::string& path, const Image& image, const Options
 }
 
 Outcome write_image(const std::string& path, const Image& image, Rounding rounding,
-                    Context& context) {
+                    std::string_view key, Context& context) {
   context.phase = "encoding the picture";
-  return write(path, encode_image(image, format_of(path), rounding), context);
+  return write(path, encode_image(image, format_of(path), rounding, note_of(key)), key, context);
 }
 
-Outcome write_in_one(const Options& options, const RenderResult& result, Context& context) {
+Outcome write_in_one(const Options& options, const RenderResult& result, std::string_view key,
+                     Context& context) {
   context.phase = "encoding the picture";
   std::vector<ImageLayer> layers{{"", {"R", "G", "B"}, false, result.image.rgb}};
   layers.insert(layers.end(), result.layers.begin(), result.layers.end());
-  return write(options.output, encode_layers(result.image.width, result.image.height, layers),
+  return write(options.output,
+               encode_layers(result.image.width, result.image.height, layers, note_of(key)), key,
                context);
 }
 
@@ -76,9 +85,6 @@ std::string layer_file(const std::string& output, const Layer& layer) {
 
 std::vector<std::string> picture_files(const Options& options) {
   std::vector<std::string> files{options.output};
-  if (options.part) {
-    return files;
-  }
   for (const Layer& layer : options.render.layers) {
     if (storage_of(options) == LayerStorage::apart) {
       files.push_back(layer_file(options.output, layer));
@@ -87,48 +93,29 @@ std::vector<std::string> picture_files(const Options& options) {
   return files;
 }
 
-Outcome write_pictures(const Options& options, const RenderResult& result, Context& context) {
+Outcome write_pictures(const Options& options, const RenderResult& result, Context& context,
+                       std::string_view key) {
   if (!options.render.layers.empty() && storage_of(options) == LayerStorage::together) {
-    return write_in_one(options, result, context);
+    return write_in_one(options, result, key, context);
   }
   Image toned;
   const Image& image = shown_in(options.output, result.image, options, toned);
   Outcome outcome =
-      write_image(options.output, image, rounding_of(options.render.profile), context);
+      write_image(options.output, image, rounding_of(options.render.profile), key, context);
   const int max_depth = options.render.max_depth;
   for (std::size_t i = 0; i < result.layers.size() && outcome.error.empty(); ++i) {
     const Layer& layer = options.render.layers[i];
     outcome =
         write_image(layer_file(options.output, layer),
                     layer_picture(layer, result.layers[i], image.width, image.height, max_depth),
-                    Rounding::nearest, context);
+                    Rounding::nearest, key, context);
   }
   return outcome;
 }
 
-Outcome write_8bit_picture(const Options& options, const Image& image, Context& context) {
-  return write_image(options.output, image, Rounding::nearest, context);
-}
-
-Preview preview_of(const Options& options) {
-  Preview preview;
-  if (options.preview.empty()) {
-    return preview;
-  }
-  const auto failed = std::make_shared<bool>(false);
-  preview.show = [options, failed](const Image& image) {
-    Context context;
-    Image toned;
-    const Outcome outcome =
-        *failed ? Outcome()
-                : write_image(options.preview, shown_in(options.preview, image, options, toned),
-                              rounding_of(options.render.profile), context);
-    if (!outcome.error.empty()) {
-      say_error(outcome.error);
-      *failed = true;
-    }
-  };
-  return preview;
+Outcome write_8bit_picture(const Options& options, const Image& image, Context& context,
+                           std::string_view key) {
+  return write_image(options.output, image, Rounding::nearest, key, context);
 }
 
 }  // namespace scenefile::app

@@ -4,6 +4,7 @@
 #include "app/load.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace scenefile::app {
@@ -18,14 +19,13 @@ Image canvas(int width, int height);
 /// "x.depth.png" of "x.png".
 std::string layer_file(const std::string& output, const Layer& layer);
 
-/// Writes all files. In mode path, PNG files are tone-mapped.
-Outcome write_pictures(const Options& options, const RenderResult& result, Context& context);
+/// Writes all files. In mode path, PNG files are tone-mapped. `key`: if not empty, each file is an
+/// item with this key (io/item.h).
+Outcome write_pictures(const Options& options, const RenderResult& result, Context& context,
+                       std::string_view key = {});
 
 /// Writes a picture whose values are already multiples of 1/255.
-Outcome write_8bit_picture(const Options& options, const Image& image, Context& context);
-
-/// Writes intermediate pictures to options.preview; does nothing if that is empty. A failure is
-/// reported once and does not stop the render.
-Preview preview_of(const Options& options);
+Outcome write_8bit_picture(const Options& options, const Image& image, Context& context,
+                           std::string_view key = {});
 
 }  // namespace scenefile::app

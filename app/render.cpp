@@ -1,6 +1,7 @@
 #include "scenefile/trace/render.h"
 
-#include "app/checkpoint.h"
+#include "app/assemble.h"
+#include "app/band_store.h"
 #include "app/command.h"
 #include "app/json.h"
 #include "app/load.h"
@@ -9,10 +10,7 @@
 #include "app/pictures.h"
 #include "app/progress.h"
 #include "app/realtime.h"
-#include "app/render_part.h"
-#include "scenefile/base/hash.h"
 #include "scenefile/base/text.h"
-#include "scenefile/io/file.h"
 #include "scenefile/io/interrupt.h"
 #include "scenefile/path/render_path.h"
 #include "scenefile/trace/layers.h"
@@ -23,8 +21,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <future>
 #include <optional>
 #include <string_view>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -39,6 +39,9 @@ PixelRegion drawn_region(const RenderOptions& options) {
 }
 
 Outcome claim_render_outputs(const Options& options, Context& context) {
+  if (options.part || options.missing) {
+    return {};  // only writes bands
+  }
   std::vector<UsedFile> outputs;
   for (const std::string& file : picture_files(options)) {
     outputs.push_back(named_file(outputs.empty() ? "output" : "layer", file));
@@ -47,92 +50,182 @@ Outcome claim_render_outputs(const Options& options, Context& context) {
   return refused.status == ExitCode::fine ? check_named_outputs(options) : refused;
 }
 
-// Returns the scene to draw, and frees its groups.
-RenderResult trace(const Options& options, LoadedScene& scene, const RenderOptions& render_options,
-                   Checkpoints checkpoints) {
-  ProgressBar bar(!options.quiet && !options.json && wants_progress());
-  const Progress progress = [&](double done) {
-    bar.update(done);
-    return DeferredSignals::pending() == 0;
-  };
-  const PixelRegion drawn = drawn_region(render_options);
-  RenderScene& ready = scene.ready.scene;
-  const TraceScene traced(ready, scene.assets, {.threads = render_options.threads});
-  if (!options.json) {
-    std::vector<RenderGroup>().swap(ready.groups);  // only needed while building
-  }
-  return render(ready, scene.assets, render_options,
-                {.progress = progress,
-                 .checkpoints = std::move(checkpoints),
-                 .preview = preview_of(options),
-                 .canvas = canvas(drawn.width(), drawn.height()),
-                 .traced = &traced});
-}
-
-// The same for paths. Sets the number of samples taken.
-RenderResult trace_paths(const Options& options, LoadedScene& scene, RenderReport& report) {
-  ProgressBar bar(!options.quiet && !options.json && wants_progress());
-  const Progress progress = [&](double done) {
-    bar.update(done);
-    return DeferredSignals::pending() == 0;
-  };
-  PathResult path = render_path(
-      scene.ready.scene, scene.assets, report.options,
-      {.progress = progress, .preview = preview_of(options), .seconds = options.seconds});
-  report.options.samples = static_cast<int>(path.samples);
-  if (path.state.dropped > 0 && !options.quiet) {
-    say(fmt::format("warning: {} sample{} not finite; their light is missing\n", path.state.dropped,
-                    path.state.dropped == 1 ? " was" : "s were"));
-  }
-  RenderResult result;
-  result.image = std::move(path.image);
-  result.status = path.status;
-  result.stats = path.stats;
-  return result;
-}
-
-// `picture`: the picture that options.part is a part of; null for a whole picture.
-Outcome draw(const Options& options, LoadedScene& scene, const DividedPicture* picture,
-             RenderReport& report, Context& context) {
-  context.phase = "reading the checkpoint";
-  Checkpoints checkpoints;
-  std::optional<DeferredSignals> deferred;
-  if (!options.checkpoint.empty()) {
-    Outcome refused = open_checkpoint(options, scene, checkpoints);
-    if (refused.status != ExitCode::fine) {
-      return refused;
+// Draws pictures of one scene, of which the structure is built once.
+class Drawing {
+ public:
+  Drawing(const Options& options, LoadedScene& scene)
+      : options_(options),
+        scene_(scene),
+        traced_(scene.ready.scene, scene.assets, {.threads = options.render.threads}) {
+    if (!options.json && options.render.mode != Mode::path) {
+      std::vector<RenderGroup>().swap(scene.ready.scene.groups);  // only needed while building
     }
-    deferred.emplace();
   }
-  if (const std::string missing =
-          missing_light(report.options.layers, scene.ready.scene.lights.size());
-      !missing.empty()) {
-    return {ExitCode::usage, "--aov: " + missing};
+
+  // Adds its work to the report.
+  RenderResult draw(const RenderOptions& options, const Progress& progress, RenderReport& report,
+                    Image canvas = {}) {
+    RenderResult result;
+    if (options.mode == Mode::path) {
+      result = draw_paths(options, progress, report);
+    } else {
+      result = render(scene_.ready.scene, scene_.assets, options,
+                      {.progress = progress, .canvas = std::move(canvas), .traced = &traced_});
+    }
+    report.stats.build_seconds = result.stats.build_seconds;
+    report.stats.primary_rays += result.stats.primary_rays;
+    report.stats.shadow_rays += result.stats.shadow_rays;
+    report.stats.secondary_rays += result.stats.secondary_rays;
+    report.stats.trace_seconds += result.stats.trace_seconds;
+    return result;
   }
+
+ private:
+  // Sets the number of samples taken.
+  RenderResult draw_paths(const RenderOptions& options, const Progress& progress,
+                          RenderReport& report) {
+    PathResult path =
+        render_path(scene_.ready.scene, scene_.assets, options,
+                    {.progress = progress, .seconds = options_.seconds, .traced = &traced_});
+    report.options.samples = static_cast<int>(path.samples);
+    if (path.state.dropped > 0 && !options_.quiet) {
+      say(fmt::format("warning: {} sample{} not finite; their light is missing\n",
+                      path.state.dropped, path.state.dropped == 1 ? " was" : "s were"));
+    }
+    RenderResult result;
+    result.image = std::move(path.image);
+    result.status = path.status;
+    result.stats = path.stats;
+    return result;
+  }
+
+  const Options& options_;
+  LoadedScene& scene_;
+  TraceScene traced_;
+};
+
+Outcome draw(const Options& options, LoadedScene& scene, RenderReport& report, Context& context) {
   if (!options.json) {
     forget_file(scene);
   }
   context.phase = "tracing";
-  RenderResult result;
-  if (report.options.mode == Mode::path) {
-    result = trace_paths(options, scene, report);
-  } else if (drawn_region(report.options).width() > 0) {
-    result = trace(options, scene, report.options, std::move(checkpoints));
+  ProgressBar bar(!options.quiet && !options.json && wants_progress());
+  const Progress progress = [&](double done) {
+    bar.update(done);
+    return true;
+  };
+  const PixelRegion drawn = drawn_region(report.options);
+  const RenderResult result =
+      Drawing(options, scene)
+          .draw(report.options, progress, report, canvas(drawn.width(), drawn.height()));
+  const Outcome outcome = outcome_of(result.status, context);
+  return outcome.error.empty() ? write_pictures(options, result, context) : outcome;
+}
+
+// The bands that are missing in the share, not higher than is good for this machine.
+std::vector<RowRange> bands_to_draw(const Options& options, const RenderScene& scene,
+                                    const BandStore& store, const RowRange& share) {
+  const RenderOptions& render = options.render;
+  const int threads = render.threads > 0
+                          ? render.threads
+                          : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const int most = rows_of_band(store.width(), store.picture().rows(),
+                                render.mode == Mode::path ? 0 : margin_of(scene, render), threads);
+  std::vector<RowRange> bands;
+  for (const RowRange& rows : store.missing(share)) {
+    const auto count = static_cast<std::uint32_t>((rows.rows() + most - 1) / most);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      bands.push_back(share_of(rows, i, count));
+    }
   }
-  deferred.reset();
-  report.stats = result.stats;
-  Outcome outcome = outcome_of(result.status, context);
-  if (result.status == RenderStatus::cancelled && !options.checkpoint.empty()) {
-    outcome.error += "; the same command continues from the checkpoint";
+  return bands;
+}
+
+// Draws these bands into the store. A signal ends it; finished bands are kept. With several threads,
+// a band is packed and written while the next one is drawn.
+Outcome draw_bands(const Options& options, LoadedScene& scene, const std::vector<RowRange>& bands,
+                   BandStore& store, RenderReport& report, Context& context) {
+  ProgressBar bar(!options.quiet && !options.json && wants_progress());
+  const PixelRegion picture = drawn_region(options.render);
+  double rows = 0;
+  for (const RowRange& band : bands) {
+    rows += band.rows();
   }
-  if (outcome.error.empty()) {
-    outcome = picture != nullptr ? write_part(options, *picture, result, context)
-                                 : write_pictures(options, result, context);
+  double before = 0;
+  std::optional<Drawing> drawing;
+  std::future<Outcome> writing;
+  Outcome outcome;
+  const auto finish_writing = [&] {
+    if (writing.valid() && outcome.error.empty()) {
+      outcome = writing.get();
+      report.store->drawn += outcome.error.empty() ? 1 : 0;
+    }
+    return outcome.error.empty();
+  };
+  for (const RowRange& band : bands) {
+    context.phase = "tracing";
+    const Progress progress = [&](double done) {
+      bar.update((before + done * band.rows()) / rows);
+      return DeferredSignals::pending() == 0;
+    };
+    if (!drawing) {
+      drawing.emplace(options, scene);
+    }
+    RenderOptions of_band = options.render;
+    of_band.crop = {picture.x0, picture.y0 + band.first, picture.x1, picture.y0 + band.end};
+    RenderResult result = drawing->draw(of_band, progress, report);
+    if (!finish_writing()) {
+      return outcome;
+    }
+    outcome = outcome_of(result.status, context);
+    if (!outcome.error.empty()) {
+      outcome.error +=
+          result.status == RenderStatus::cancelled ? "; the same command continues" : "";
+      return outcome;
+    }
+    writing = std::async(options.render.threads == 1 ? std::launch::deferred : std::launch::async,
+                         [&store, band, made = std::move(result)]() mutable {
+                           return store.write(band, std::move(made));
+                         });
+    before += band.rows();
   }
-  if (outcome.error.empty() && !options.checkpoint.empty()) {
-    remove_checkpoint(options);
-  }
+  context.phase = "writing a band";
+  finish_writing();
   return outcome;
+}
+
+// With --store: draws what is missing, and writes the picture if all is there.
+Outcome draw_with_store(const Options& options, LoadedScene& scene, RenderReport& report,
+                        Context& context) {
+  BandStore store(options, scene);
+  Outcome outcome = store.open(context);
+  report.store->found = store.current();
+  if (outcome.status != ExitCode::fine) {
+    return outcome;
+  }
+  if (options.missing) {
+    for (std::uint32_t i = 0; i < *options.missing; ++i) {
+      if (!store.missing(share_of(store.picture(), i, *options.missing)).empty()) {
+        report.store->missing.push_back(i + 1);
+      }
+    }
+    return {};
+  }
+  const RowRange share = options.part
+                             ? share_of(store.picture(), options.part->index, options.part->count)
+                             : store.picture();
+  const std::vector<RowRange> bands =
+      bands_to_draw(options, scene.ready.scene, store, share);
+  outcome = store.claim(bands, context);
+  if (outcome.status != ExitCode::fine) {
+    return outcome;
+  }
+  if (!options.json) {
+    forget_file(scene);
+  }
+  const DeferredSignals deferred;
+  outcome = draw_bands(options, scene, bands, store, report, context);
+  return outcome.error.empty() && !options.part ? assemble(options, store, context) : outcome;
 }
 
 std::string work_text(const RenderReport& report) {
@@ -149,37 +242,33 @@ std::string work_text(const RenderReport& report) {
   return fmt::format("{}{:.2f} million rays", samples, static_cast<double>(rays) / 1e6);
 }
 
-// The requested part of the picture that OpenGL drew, or the whole picture.
-Outcome write_drawn(const Options& options, const Image& drawn, DividedPicture* picture,
-                    const RenderReport& report, Context& context) {
-  if (picture == nullptr) {
-    return write_8bit_picture(options, drawn, context);
-  }
-  Hash renderer;
-  renderer.add(report.gl.renderer);
-  picture->key.driver = renderer.value();
-  RenderResult part;
-  const PixelRegion whole{0, 0, drawn.width, drawn.height};
-  part.image = cut(drawn, whole, report.part->region);
-  return write_part(options, *picture, part, context);
+std::string bands_text(std::size_t count, std::string_view done) {
+  return fmt::format("{} band{} {}", count, count == 1 ? "" : "s", done);
 }
 
-std::string part_text(const RenderReport& report) {
-  if (!report.part) {
-    return {};
+std::string summary_text(const Options& options, const RenderReport& report) {
+  const PixelRegion drawn = drawn_region(report.options);
+  std::string text = report.output == "-" ? "<stdout>" : escaped(report.output);
+  if (options.part) {
+    text = fmt::format("{}: share {} of {}", escaped(options.store), options.part->index + 1,
+                       options.part->count);
   }
-  return fmt::format("part {} of {}", report.part->index + 1, report.part->count);
+  text += fmt::format(": {}x{}, ", drawn.width(), drawn.height());
+  if (report.store) {
+    text += fmt::format("{}, {}, ", bands_text(report.store->drawn, "drawn"),
+                        bands_text(report.store->found, "found"));
+  }
+  return text + fmt::format("{:.2f} s, {}\n", report.seconds, work_text(report));
 }
 
-std::string summary_text(const RenderReport& report) {
-  const std::string name = report.output == "-" ? "<stdout>" : escaped(report.output);
-  if (report.part && report.part->skipped) {
-    return fmt::format("{}: {} already exists\n", name, part_text(report));
+// Prints the shares still to make; status 1 if there are any.
+ExitCode answer_missing(const RenderReport& report) {
+  std::string lines;
+  for (const std::uint32_t share : report.store->missing) {
+    lines += fmt::format("{}\n", share);
   }
-  const PixelRegion drawn = report.part ? report.part->region : drawn_region(report.options);
-  return fmt::format("{}: {}{}{}x{}, {:.2f} s, {}\n", name, part_text(report),
-                     report.part ? ", " : "", drawn.width(), drawn.height(), report.seconds,
-                     work_text(report));
+  const ExitCode printed = lines.empty() ? ExitCode::fine : answer(lines);
+  return worse(printed, lines.empty() ? ExitCode::fine : ExitCode::findings);
 }
 
 }  // namespace
@@ -211,19 +300,16 @@ ExitCode run_render(const Options& given, Context& context) {
     check_realtime(*realtime, scene);
     report.realtime = realtime_report(*realtime, scene);
   }
-  std::optional<DividedPicture> divided;
-  if (options.part && outcome.status == ExitCode::fine) {
-    context.phase = "checking the part";
-    divided = divided_picture(options, scene);
-    const auto [index, count] = *options.part;
-    report.part = {index, count, part_of(divided->region, index, count)};
-    outcome = find_part(options, *divided, report.part->skipped);
-    options.render.crop = report.options.crop = report.part->region;
+  if (!options.store.empty()) {
+    report.store.emplace();
   }
-  DividedPicture* const picture = divided ? &*divided : nullptr;
-  const bool wanted = outcome.status == ExitCode::fine && !(report.part && report.part->skipped);
+  if (const std::string missing =
+          missing_light(options.render.layers, scene.ready.scene.lights.size());
+      outcome.status == ExitCode::fine && !missing.empty()) {
+    outcome = {ExitCode::usage, "--aov: " + missing};
+  }
   Image drawn;
-  if (options.engine == Engine::gl && wanted) {
+  if (options.engine == Engine::gl && outcome.status == ExitCode::fine) {
     outcome = GlPainter(options, scene).draw(drawn, report.gl, context);
     if (outcome.status == ExitCode::fine) {
       report.options.samples = report.gl.samples;
@@ -233,22 +319,28 @@ ExitCode run_render(const Options& given, Context& context) {
     say(findings_text(scene, options.quiet ? Verbosity::errors : Verbosity::warnings,
                       wants_color(Stream::chatter)));
   }
-  if (wanted && outcome.status == ExitCode::fine) {
-    outcome = options.engine == Engine::gl ? write_drawn(options, drawn, picture, report, context)
-                                           : draw(options, scene, picture, report, context);
-  } else if (outcome.status != ExitCode::fine && outcome.error.empty()) {
+  if (outcome.status == ExitCode::fine) {
+    outcome = options.engine == Engine::gl ? write_8bit_picture(options, drawn, context)
+              : report.store               ? draw_with_store(options, scene, report, context)
+                                           : draw(options, scene, report, context);
+  } else if (outcome.error.empty()) {
     outcome.error = "the scene cannot be used";
   }
-  report.options.crop = given.render.crop;
   report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   report.error = outcome.error;
+  report.written = outcome.error.empty() && !options.part && !options.missing;
   if (options.json) {
-    return worse(outcome.status, answer(render_json(scene, report)));
+    const bool missing = report.store && !report.store->missing.empty();
+    return worse(worse(outcome.status, missing ? ExitCode::findings : ExitCode::fine),
+                 answer(render_json(scene, report)));
+  }
+  if (options.missing && outcome.status == ExitCode::fine) {
+    return answer_missing(report);
   }
   if (status_of(scene) == ExitCode::fine && !outcome.error.empty()) {
     say_error(outcome.error);
   } else if (outcome.status == ExitCode::fine && !options.quiet) {
-    say_afterwards([&] { return summary_text(report); });
+    say_afterwards([&] { return summary_text(options, report); });
   }
   return outcome.status;
 }

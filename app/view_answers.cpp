@@ -35,7 +35,7 @@ std::string cause_text(const viewer::CauseQuestion& question, const std::functio
   if (!question.realtime) {
     const RenderResult result =
         render(scene.ready.scene, scene.assets, question.options,
-               {.progress = [&](double) { return go_on(); }, .checkpoints = {}, .preview = {}});
+               {.progress = [&](double) { return go_on(); }, .preview = {}});
     if (const std::optional<Error> error = render_error(result.status)) {
       return error->text + '\n';
     }

@@ -1,6 +1,7 @@
 // The command frames: pictures from a moving camera.
 
 #include "app/run_program.h"
+#include "scenefile/asset/image_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,6 +15,7 @@ namespace {
 
 using namespace testing_support;
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 using Words = std::vector<std::string>;
@@ -22,6 +24,13 @@ constexpr const char* path_of_views = R"({"fps": 2, "views": [
   {"time": 0, "position": [0, 1, 5], "focus": [0, 0, 0], "up": [0, 1, 0]},
   {"time": 1, "position": [4, 1, 3], "heightAngle": 30},
   {"time": 2.5, "position": [4, 2, -3], "look": [-4, -2, 3]}]})";
+
+// Whether a frame has the pixels of a picture; it also contains its key.
+bool shows(const std::string& frame, const std::string& picture) {
+  const Result<Texture> a = decode_image(frame);
+  const Result<Texture> b = decode_image(picture);
+  return a && b && a->width == b->width && a->rgb == b->rgb;
+}
 
 struct FramesTest : ::testing::Test {
   FramesTest() {
@@ -60,7 +69,7 @@ TEST_F(FramesTest, AreRendersOfTheirScenes) {
     for (int number = 1; number <= count; ++number) {
       const std::string digits = std::string("0").append(std::to_string(number));
       const std::string frame = folder.read(name + digits + ".png");
-      EXPECT_TRUE(frame == render("s" + digits + scenes.substr(5))) << digits;
+      EXPECT_TRUE(shows(frame, render("s" + digits + scenes.substr(5)))) << digits;
       EXPECT_FALSE(frame == before);
       before = frame;
     }
@@ -71,7 +80,7 @@ TEST_F(FramesTest, AreRendersOfTheirScenes) {
 
 TEST_F(FramesTest, TheFirstOfATurnIsTheCameraOfTheFile) {
   ASSERT_EQ(frames({"--turntable", "3", "-o", "f%d.png", "--range", "1:1"}).status, 0);
-  EXPECT_TRUE(folder.read("f1.png") == render("scene.xml"));
+  EXPECT_TRUE(shows(folder.read("f1.png"), render("scene.xml")));
   EXPECT_FALSE(std::filesystem::exists(folder.path("f2.png")));
 }
 
@@ -88,12 +97,31 @@ TEST_F(FramesTest, ExistingFramesAreSkipped) {
   std::filesystem::remove(folder.path("f3.png"));
   EXPECT_EQ(counts(), std::pair(2, 1));
   EXPECT_TRUE(folder.read("f2.png") == second);
-  std::filesystem::remove(folder.path(".f1.png.key"));
-  std::filesystem::remove(folder.path("f1.png"));
-  const std::string key = folder.read(".f2.png.key");
-  folder.write(".f2.png.key", key.substr(0, key.find('\n') + 1));  // killed before it was complete
-  EXPECT_EQ(counts(), std::pair(2, 1));
-  EXPECT_EQ(folder.read(".f2.png.key"), key);
+  std::string changed = second;
+  changed[second.size() / 2] ^= 1;
+  folder.write("f2.png", changed);
+  EXPECT_EQ(counts(), std::pair(1, 2));
+  EXPECT_TRUE(folder.read("f2.png") == second);
+  EXPECT_THAT(folder.list(), ElementsAre("f1.png", "f2.png", "f3.png", "scene.xml", "views.json"));
+}
+
+// Each file of a frame says what it was drawn from, in every format.
+TEST_F(FramesTest, FilesContainTheirKey) {
+  for (const Words& words : {Words{"-o", "f%d.png", "--aov", "depth"},
+                             Words{"-o", "f%d.exr", "--aov", "depth"}, Words{"-o", "f%d.pfm"}}) {
+    const Words all = Words{"--turntable", "2", "--json"} + words;
+    EXPECT_EQ(parse_json(frames(all).out)["drawn"].GetInt(), 2);
+    const std::string end = words[1].substr(3);
+    EXPECT_THAT(folder.read("f2" + end), HasSubstr("scenefile item 1: program="));
+    EXPECT_THAT(folder.read("f2" + end), HasSubstr(" width=32 height=24 "));
+    EXPECT_EQ(parse_json(frames(all).out)["skipped"].GetInt(), 2);
+    EXPECT_EQ(run({"diff", "f1" + end, "f1" + end}).status, 0);
+    if (end == ".png") {
+      std::filesystem::remove(folder.path("f2.depth.png"));
+      EXPECT_EQ(parse_json(frames(all).out)["drawn"].GetInt(), 1);
+      EXPECT_TRUE(std::filesystem::exists(folder.path("f2.depth.png")));
+    }
+  }
 }
 
 TEST_F(FramesTest, NoOtherPictureIsReplaced) {
@@ -111,14 +139,14 @@ TEST_F(FramesTest, NoOtherPictureIsReplaced) {
     EXPECT_FALSE(std::filesystem::exists(folder.path("f1.png"))) << "drawn before the refusal";
   };
   refused({"--samples", "3"},
-          "f2.png: the frame was drawn with other options; --overwrite replaces it, or");
+          "f2.png: the frame was drawn with samples = 16, not 3; --overwrite replaces it, or");
   const Words four{"--turntable", "4", "-o", "f%d.png"};
   EXPECT_THAT(frames(four).err, HasSubstr("f2.png: the frame was drawn with another camera"));
   folder.write("scene.xml", std::string(good_scene) + "\n");
   refused({}, "f2.png: the frame was drawn from another scene, or the scene was changed; ");
-  refused({"--samples", "3"}, "the scene was changed, and with other options; --overwrite");
-  folder.write(".f2.png.key", "");
-  refused({}, "f2.png: the file exists, and is not a frame; --overwrite replaces it, or choose");
+  refused({"--samples", "3"}, "the scene was changed, and with samples = 16, not 3; --overwrite");
+  folder.write("f2.png", "my picture");
+  EXPECT_THAT(frames(words).err, HasSubstr("f2.png: the file exists, and is not a frame; --overwrite replaces it, or choose"));
   EXPECT_EQ(frames({"--turntable", "3", "-o", "f%d.png", "--range", "1:1"}).status, 0);
   folder.write("mine1.png", "mine");
   const ProgramRun mine = frames({"--turntable", "3", "-o", "mine%d.png"});
@@ -136,7 +164,6 @@ TEST_F(FramesTest, OverwriteReplacesWhatIsNotOfThisMotion) {
   EXPECT_EQ(counts({}), std::pair(3, 0));
   const std::string before = folder.read("f2.png");
   folder.write("f3.png", "mine");
-  folder.write(".f3.png.key", "");
   EXPECT_EQ(counts({"--overwrite"}), std::pair(1, 2)) << "frames of this motion are kept";
   EXPECT_EQ(counts({"--overwrite", "--mode", "normals"}), std::pair(3, 0));
   EXPECT_FALSE(folder.read("f2.png") == before);
@@ -180,10 +207,10 @@ TEST_F(FramesTest, OpenGlDrawsTheRendersOfTheirScenes) {
         run({"render", "s" + number + ".xml", "-o", "one.png", "--size", "32x24", "--engine", "gl"})
             .status,
         0);
-    EXPECT_TRUE(folder.read("f" + number + ".png") == folder.read("one.png")) << number;
+    EXPECT_TRUE(shows(folder.read("f" + number + ".png"), folder.read("one.png"))) << number;
   }
   EXPECT_FALSE(folder.read("f1.png") == folder.read("f2.png"));
-  EXPECT_THAT(frames({"--turntable", "3", "-o", "f%d.png"}).err, HasSubstr("with other options"));
+  EXPECT_THAT(frames({"--turntable", "3", "-o", "f%d.png"}).err, HasSubstr("with engine = gl, not trace"));
   const ProgramRun again =
       frames({"--turntable", "3", "-o", "f%d.png", "--engine", "gl", "--json"});
   EXPECT_EQ(parse_json(again.out)["skipped"].GetInt(), 3);
@@ -193,7 +220,7 @@ TEST_F(FramesTest, OpenGlDrawsTheRendersOfTheirScenes) {
       run({"render", "scene.xml", "-o", "one.png", "--size", "32x24", "--profile", "realtime"})
           .status,
       0);
-  EXPECT_TRUE(folder.read("r1.png") == folder.read("one.png"));
+  EXPECT_TRUE(shows(folder.read("r1.png"), folder.read("one.png")));
 }
 
 // A stand-in for ffmpeg: it writes its arguments to its output, the last of them.

@@ -60,8 +60,7 @@ TEST_F(RenderWithGl, RejectsOptionsOfTheRayTracer) {
                                              {"--seed", "1"},
                                              {"--fresnel"},
                                              {"--threads", "2"},
-                                             {"--checkpoint", folder.path("c")},
-                                             {"--preview", folder.path("p.png")},
+                                             {"--store", folder.path("s")},
                                              {"--aov", "depth"},
                                              {"--crop", "0,0,4,4"},
                                              {"--denoise"}}) {

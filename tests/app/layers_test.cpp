@@ -62,11 +62,6 @@ TEST_F(RenderLayers, ACropHasItsOwnSize) {
   }
 }
 
-TEST_F(RenderLayers, TheLastPreviewIsThePicture) {
-  EXPECT_EQ(render({"--preview", folder.path("preview.png")}).status, 0);
-  EXPECT_TRUE(folder.read("preview.png") == folder.read("out.png"));
-}
-
 TEST_F(RenderLayers, DenoiseRemovesNoise) {
   EXPECT_EQ(render({"--denoise", "--samples", "8"}).status, 0);
 }
@@ -84,8 +79,6 @@ TEST_F(RenderLayers, InvalidOptionsAreUsageErrors) {
       {{"--crop", "5,5,5,9"}, "contains no pixels"},
       {{"--crop", "0,0,33,24"}, "extends outside of the picture of 32x24"},
       {{"--denoise", "--profile", "course"}, "--denoise is for the profile fine"},
-      {{"--denoise", "--checkpoint", "c"}, "cannot be combined with --denoise"},
-      {{"--preview", "p.jpg"}, "must end in .png"},
   };
   for (const auto& c : cases) {
     const ProgramRun run = render(c.words);

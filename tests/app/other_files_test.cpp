@@ -106,7 +106,6 @@ TEST_F(OtherFiles, ThatScenesOrOptionsNameAreNotShown) {
       {"convert", folder.path("a.obj"), folder.path("b.xml")},
       {"frames", good, "--path", secret, "-o", folder.path("f%02d.png")},
       {"frames", good, "--path", json, "-o", folder.path("f%02d.png")},
-      {"merge", secret, "-o", folder.path("b.png")},
       {"diff", secret, folder.path("a.png")}};
   for (const std::vector<std::string>& words : commands) {
     const ProgramRun run = run_program(words);

@@ -46,10 +46,10 @@ const Words grade{"grade", "class", "--references", "refs", "--map", "map.csv"};
 const std::vector<Writer> writers{
     {"render", "--output", render + Words{"-o", "out.png"}, "out.png"},
     {"render", "--output", render + Words{"-o", "out.png", "--mode", "intersect"}, "out.png"},
-    {"render", "--output", render + Words{"-o", "out.part", "--part", "1/2"}, "out.part"},
     {"render", "--output", render + Words{"-o", "out.png", "--aov", "depth"}, "out.depth.png"},
-    {"render", "--checkpoint", render + Words{"-o", "out.png", "--checkpoint", "state"}, "state"},
-    {"render", "--preview", render + Words{"-o", "out.png", "--preview", "p.png"}, "p.png"},
+    {"render", "--output", render + Words{"-o", "out.png", "--store", "bands"}, "out.png"},
+    {"render", "--store", render + Words{"-o", "new.png", "--store", "new"}, "new/00000-00006.exr"},
+    {"render", "--store", render + Words{"--part", "1/2", "--store", "new"}, "new/00000-00006.exr"},
     {"frames", "--output", frames + Words{"-o", "f%02d.png"}, "f02.png"},
     {"frames", "--output", frames + Words{"-o", "f%02d.png", "--overwrite"}, "f02.png"},
     {"frames", "--output", frames + Words{"-o", "f%d.png", "--aov", "depth"}, "f2.depth.png"},
@@ -67,20 +67,15 @@ const std::vector<Writer> writers{
     {"convert", "OUT", {"convert", "model/box.obj", "out.xml"}, "out-2.obj"},
     {"diff", "--heatmap", diff + Words{"--heatmap", "h.png"}, "h.png"},
     {"diff", "--sheet", diff + Words{"--sheet", "h.png"}, "h.png"},
-    {"grade", "--output", grade + Words{"--part", "1/2", "-o", "new.part"}, "new.part"},
+    {"grade", "--store", grade + Words{"--store", "results"}, "results/ann.json"},
+    {"grade", "--store", grade + Words{"--part", "1/1", "--store", "results"}, "results/ann.json"},
+    {"grade", "--csv", grade + Words{"--store", "graded", "--csv", "g.csv"}, "g.csv"},
     {"grade", "--report", grade + Words{"--report", "r.html"}, "r.html"},
     {"grade", "--pages", grade + Words{"--pages", "pages"}, "pages/ann.html"},
     {"grade", "--csv", grade + Words{"--csv", "r.csv"}, "r.csv"},
     {"grade", "--csv-students", grade + Words{"--csv-students", "s.csv"}, "s.csv"},
     {"grade", "--junit", grade + Words{"--junit", "r.xml"}, "r.xml"},
     {"grade", "--gradescope", grade + Words{"--gradescope", "r.json"}, "r.json"},
-    {"merge", "--output", {"merge", "parts", "-o", "out.png"}, "out.png"},
-    {"merge", "--report", {"merge", "graded", "--report", "r.html"}, "r.html"},
-    {"merge", "--pages", {"merge", "graded", "--pages", "pages"}, "pages/ann.html"},
-    {"merge", "--csv", {"merge", "graded", "--csv", "r.csv"}, "r.csv"},
-    {"merge", "--csv-students", {"merge", "graded", "--csv-students", "s.csv"}, "s.csv"},
-    {"merge", "--junit", {"merge", "graded", "--junit", "r.xml"}, "r.xml"},
-    {"merge", "--gradescope", {"merge", "graded", "--gradescope", "r.json"}, "r.json"},
     {"view",
      "--screenshot",
      {"view", "scene.xml", "a.png", "--script", "steps.txt", "--screenshot", "w.png"},
@@ -98,8 +93,6 @@ std::vector<std::string> inputs_of(const Writer& writer) {
          : writer.command == "diff"  ? with(scene_files, {"a.png", "b.png"})
          : writer.command == "view"  ? with(scene_files, {"a.png", "steps.txt"})
          : writer.command == "grade" ? class_files
-         : words[1] == "parts"       ? std::vector<std::string>{"parts/1.part", "parts/2.part"}
-         : words[1] == "graded"      ? std::vector<std::string>{"graded/1.part"}
          : words[1] == "model/box.obj"
              ? std::vector<std::string>{"model/box.obj", "model/box.mtl", "model/bricks.png"}
              : scene_files;
@@ -134,14 +127,8 @@ struct Outputs : ::testing::Test {
     folder.write("class/ann/sphere.png", folder.read("a.png"));
     folder.write("bin/ffmpeg", "#!/bin/sh\nfor out; do :; done\necho \"$@\" > \"$out\"\n");
     fs::permissions(folder.path("bin/ffmpeg"), fs::perms::owner_all);
-    fs::create_directory(folder.path("parts"));
-    fs::create_directory(folder.path("graded"));
-    for (const std::string number : {"1", "2"}) {
-      EXPECT_EQ(
-          run(render + Words{"--part", number + "/2", "-o", "parts/" + number + ".part"}).status,
-          0);
-    }
-    EXPECT_EQ(run(grade + Words{"--part", "1/1", "-o", "graded/1.part"}).status, 0);
+    EXPECT_EQ(run(render + Words{"--store", "bands", "--part", "1/1"}).status, 0);
+    EXPECT_EQ(run(grade + Words{"--store", "graded", "--part", "1/1"}).status, 0);
   }
 
   ProgramRun run(const Words& words) const {
@@ -233,15 +220,14 @@ TEST_F(Outputs, ReplaceNoInput) {
 TEST_F(Outputs, ReplaceNoOtherOutput) {
   fs::create_directory(folder.path("web"));
   for (const Words& words :
-       {render + Words{"-o", "x.png", "--checkpoint", "./x.png"},
-        render + Words{"-o", "x.png", "--aov", "depth", "--preview", "x.depth.png"},
-        render + Words{"-o", "x.png", "--checkpoint", "y.png", "--preview", "y.png"},
+       {render + Words{"-o", "bands/00000-00006.exr", "--store", "bands"},
+        render + Words{"-o", "new/00000-00006.exr", "--store", "./new"},
         frames + Words{"-o", "v%d.png", "--video", "v1.png"},
         frames + Words{"--write-scenes", "v%d.xml", "--video", "v2.xml"},
         diff + Words{"--heatmap", "x.png", "--sheet", "image/../x.png"},
         grade + Words{"--csv", "x", "--junit", "x"},
-        grade + Words{"--pages", "web", "--report", "web/ann.html"},
-        Words{"merge", "graded", "--pages", "web", "--csv", "web/ann.html"}}) {
+        grade + Words{"--store", "graded", "--csv", "graded/ann.json"},
+        grade + Words{"--pages", "web", "--report", "web/ann.html"}}) {
     const ProgramRun refused = run(words);
     EXPECT_EQ(refused.status, 2) << refused.err;
     EXPECT_THAT(refused.err, HasSubstr(" would replace the "));
@@ -263,8 +249,7 @@ TEST_F(Outputs, SayBothRolesAndNames) {
 TEST_F(Outputs, MayShareDevicesAndReplaceOlderOutputs) {
   EXPECT_EQ(run(grade + Words{"--csv", "/dev/null", "--junit", "/dev/null"}).status, 0);
   for (int i = 0; i < 2; ++i) {
-    EXPECT_EQ(run(render + Words{"-o", "x.png", "--preview", "x.png"}).status, 0);
-    EXPECT_EQ(run({"merge", "parts", "-o", "parts/x.png"}).status, 0);
+    EXPECT_EQ(run(render + Words{"-o", "bands/x.png", "--store", "bands"}).status, 0);
     EXPECT_EQ(run(grade + Words{"--report", "class/r.html", "--pages", "class/ann"}).status, 0);
     EXPECT_EQ(run({"format", "flat.xml"}).status, 0);  // rewrites its input by design
   }

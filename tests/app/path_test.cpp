@@ -112,8 +112,7 @@ TEST_F(PathCommand, RefusesWhatItDoesNotHave) {
   for (const Words& more :
        {Words{"--fresnel"}, Words{"--denoise"}, Words{"--aov", "depth"},
         Words{"--min-samples", "2"}, Words{"--features", "none"},
-        Words{"--checkpoint", folder.path("c")}, Words{"--part", "1/2"}, Words{"--engine", "gl"},
-        Words{"--profile", "course"}, Words{"--profile", "realtime"}}) {
+        Words{"--engine", "gl"}, Words{"--profile", "course"}, Words{"--profile", "realtime"}}) {
     const ProgramRun run = render("a.png", path + more);
     EXPECT_EQ(run.status, 2) << more[0] << run.err;
     EXPECT_THAT(run.err, HasSubstr("--mode")) << more[0];

@@ -1,4 +1,6 @@
 #include "asset/sample_files.h"
+#include "scenefile/asset/exr_rows.h"
+#include "scenefile/asset/image_stream.h"
 
 #include <gtest/gtest.h>
 #include <png.h>
@@ -9,6 +11,8 @@
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <utility>
 
 namespace scenefile {
 namespace {
@@ -154,6 +158,96 @@ TEST(EncodeLayers, NamesHaveALimit) {
   const ImageLayer layer{std::string(300, 'n'), {"Y"}, false, {0}};
   EXPECT_NE(error_text(encode_layers(1, 1, {&layer, 1})), "");
 }
+
+// Other readers find the pixels, and the text where their format has it.
+TEST(EncodeImage, ATextDoesNotChangeThePixels) {
+  const Image image = gradient(20, 40);
+  for (const ImageFormat format : {ImageFormat::png8, ImageFormat::png16, ImageFormat::pfm,
+                                   ImageFormat::exr}) {
+    const Result<std::string> bytes =
+        encode_image(image, format, Rounding::nearest, {.text = "the text"});
+    ASSERT_EQ(error_text(bytes), "");
+    EXPECT_NE(bytes->find("the text"), std::string::npos);
+    if (format == ImageFormat::exr && !SCENEFILE_OPENEXR) {
+      continue;
+    }
+    const Result<DecodedPicture> with = decode_picture(*bytes);
+    const Result<DecodedPicture> without = decode_picture(encode(image, format));
+    ASSERT_EQ(error_text(with), "");
+    EXPECT_EQ(with->texture.rgb, without->texture.rgb);
+    EXPECT_EQ(with->linear.rgb, without->linear.rgb);
+  }
+}
+
+#if SCENEFILE_OPENEXR
+std::vector<ImageLayer> rows_of_layers(int width, int first, int end) {
+  std::vector<ImageLayer> layers{{"", {"R", "G", "B"}, false, {}},
+                                 {"normal", {"X", "Y", "Z"}, false, {}},
+                                 {"object-id", {"ID"}, true, {}},
+                                 {"depth", {"Z"}, false, {}}};
+  for (ImageLayer& layer : layers) {
+    for (int i = first * width; i < end * width; ++i) {
+      for (std::size_t c = 0; c < layer.channels.size(); ++c) {
+        const float value = static_cast<float>(i * 31 % 1009) + static_cast<float>(c);
+        layer.values.push_back(layer.whole ? value
+                               : i % 97 == 3 ? std::numeric_limits<float>::infinity()
+                                             : value / 7 - 3);
+      }
+    }
+  }
+  return layers;
+}
+
+TEST(ExrRows, BandsHaveTheirRowsAndMakeTheWholeFile) {
+  constexpr int width = 37;
+  constexpr int height = 100;
+  const std::vector<ImageLayer> whole = rows_of_layers(width, 0, height);
+  std::vector<ExrRows> bands;
+  for (const auto& [first, end] : {std::pair{0, 48}, std::pair{48, 64}, std::pair{64, 100}}) {
+    const std::vector<ImageLayer> rows = rows_of_layers(width, first, end);
+    const Result<std::string> bytes =
+        encode_layers(width, end - first, rows, {"the text", first, height});
+    ASSERT_EQ(error_text(bytes), "");
+    Result<ExrRows> band = ExrRows::open(*bytes);
+    ASSERT_EQ(error_text(band), "");
+    EXPECT_EQ(band->width(), width);
+    EXPECT_EQ(band->picture_height(), height);
+    EXPECT_EQ(band->first(), first);
+    EXPECT_EQ(band->end(), end);
+    std::vector<ImageLayer> read = rows;
+    for (ImageLayer& layer : read) {
+      layer.values.clear();
+    }
+    ASSERT_EQ(error_text(band->read(read)), "");
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      EXPECT_EQ(read[i].values, rows[i].values) << rows[i].name;
+    }
+    std::vector<ImageLayer> other{{"albedo", {"R"}, false, {}}};
+    EXPECT_EQ(error_text(band->read(other)), "it has no channel \"albedo.R\"");
+    bands.push_back(*std::move(band));
+  }
+  std::string made;
+  const auto block_at = [&](int y, int) -> std::optional<std::string> {
+    const ExrRows& band = bands[y < 48 ? 0 : y < 64 ? 1 : 2];
+    return *band.block(y);
+  };
+  ASSERT_EQ(error_text(stream_blocks(width, height, whole, block_at, sink_to(made))), "");
+  EXPECT_TRUE(made == *encode_layers(width, height, whole));
+}
+
+TEST(ExrRows, RefusesWhatIsNoBand) {
+  const std::vector<ImageLayer> rows = rows_of_layers(5, 0, 20);
+  const std::string good = *encode_layers(5, 20, rows, {"", 16, 40});
+  EXPECT_EQ(error_text(ExrRows::open(good)), "");
+  for (std::size_t i = 0; i < 300; i += 3) {
+    EXPECT_NE(error_text(ExrRows::open(good.substr(0, i))), "") << i;
+  }
+  EXPECT_NE(error_text(ExrRows::open(*encode_layers(5, 20, rows, {"", 30, 40}))), "")
+      << "below the picture";
+  EXPECT_NE(error_text(ExrRows::open(*encode_layers(5, 20, rows, {"", -16, 40}))), "");
+  EXPECT_NE(error_text(ExrRows::open(encode(gradient(4, 4), ImageFormat::png8))), "");
+}
+#endif
 
 TEST(EncodeImage, PfmByHand) {
   Image image(1, 2);

@@ -190,27 +190,45 @@ def make_exr():
         write(f"image_exr/{path.name}", path.read_bytes())
 
 
-# Checkpoints: the state of a picture of 17 x 2 pixels, in four pieces; tests/fuzz/checkpoint.cpp
+# Items of stores
 
-def make_checkpoint():
-    colors = struct.pack("<102f", *(i / 100 for i in range(102)))
-    write("checkpoint/one_pass", struct.pack("<IIII", 17, 2, 0, 0) + b"\1\0\1\0" + colors)
-    write("checkpoint/first_pass", struct.pack("<IIII", 17, 2, 0, 1) + b"\1\0\1\0" + bytes(34) + colors)
-    write("checkpoint/second_pass", struct.pack("<IIII", 17, 2, 1, 1) + b"\1\0\0\0" + b"\0\1" * 17 + colors)
+def make_band():
+    def attribute(name, kind, value):
+        return name.encode() + b"\0" + kind.encode() + b"\0" + struct.pack("<i", len(value)) + value
+
+    width, height, first, rows = 5, 40, 16, 20
+    channels = b"".join(c + b"\0" + struct.pack("<iiii", kind, 0, 1, 1)
+                        for c, kind in ((b"B", 2), (b"G", 2), (b"R", 2), (b"object-id.ID", 0))) + b"\0"
+    header = (struct.pack("<ii", 20000630, 2) + attribute("channels", "chlist", channels)
+              + attribute("compression", "compression", b"\3")
+              + attribute("dataWindow", "box2i", struct.pack("<4i", 0, first, width - 1, first + rows - 1))
+              + attribute("displayWindow", "box2i", struct.pack("<4i", 0, 0, width - 1, height - 1))
+              + attribute("lineOrder", "lineOrder", b"\0")
+              + attribute("pixelAspectRatio", "float", struct.pack("<f", 1))
+              + attribute("scenefile", "string", b"scenefile item 1: scene=1f samples=16 sum=0123456789abcdef")
+              + attribute("screenWindowCenter", "v2f", struct.pack("<2f", 0, 0))
+              + attribute("screenWindowWidth", "float", struct.pack("<f", 1)) + b"\0")
+    blocks, places = b"", b""
+    for y in range(first, first + rows, 16):
+        size = min(16, first + rows - y) * width * 16
+        places += struct.pack("<Q", len(header) + 16 + len(blocks))
+        blocks += struct.pack("<ii", y, size) + struct.pack(f"<{size // 4}f", *(i / 9 for i in range(size // 4)))
+    write("band/stored", header + places + blocks)
+    write("band/cut_off", (header + places + blocks)[:-100])
+    write("band/text", b"scenefile item 1: a=1 b= sum=0000000000000000")
 
 
-# The head of a part of a picture, without its checksum: layer count, key, count of parts, region, rounding, depth, index,
-# checksum of the rows, layers, their ranges; tests/fuzz/part.cpp
-
-def make_part():
-    def head(layers, index=1, count=3):
-        return (struct.pack("<I5QI4iBiIQ", len(layers), 1, 2, 3, 4, 0, count, 0, 0, 40, 33, 1, 4, index, 99)
-                + b"".join(struct.pack("<BI", kind, light) for kind, light in layers)
-                + b"".join(struct.pack("<ff", 0, 1) for _ in layers))
-
-    write("part/picture", head([]))
-    write("part/layers", head([(0, 0), (4, 0), (5, 2)]))
-    write("part/no_such_index", head([], index=3))
+def make_student():
+    write("student/none", b'{"key": "", "student": {"name": "ann", "pictures": [], "unmatched": ["a.png", {"base64": "gA=="}]}}')
+    measures = ("same_size linear".split(), "width height right_width right_height".split(),
+                "psnr_db mean max share_over ssim flip_mean flip_max".split())
+    values = {**{n: "true" for n in measures[0]}, **{n: "7" for n in measures[1]}, **{n: "0.25" for n in measures[2]}}
+    values["psnr_db"] = '"inf"'
+    claim = '{"cause": 3, "what": "w", "evidence": "e", "explained": 0.5, "said": false}'
+    write("student/picture", ('{"student": {"name": "ben", "unmatched": [], "pictures": [{"name": "ball", "verdict": 1, "measures": {'
+                              + ", ".join(f'"{n}": {v}' for n, v in values.items())
+                              + '}, "reasons": ["r"], "causes": [' + claim + '], "rivals": [], "partial": [], "notes": [], '
+                              '"png": {"base64": "iVBORw=="}, "png_file": "", "fingerprint": 18446744073709551615, "identical": ""}]}}').encode())
 
 
 # Archives
@@ -242,8 +260,8 @@ def make_archive():
 
 
 make_archive()
-make_checkpoint()
-make_part()
+make_band()
+make_student()
 make_png()
 make_jpeg()
 make_gif()

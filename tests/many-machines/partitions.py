@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Pictures in random parts, with workers that are killed: merging gives the same bytes as one process.
+"""Pictures in stores, made by random workers of which some are killed: the same bytes as one process without a store.
 
     partitions.py PROGRAM SCENE... [--partitions 200] [--kills 50] [--seed 1] [--most 64]
 
-Each partition takes a scene, a size, a profile, a mode, layers, noise reduction, a crop and a format at random, draws one
-picture in one process and in a random number of parts, in random order, and compares all files. Each kill ends a worker or a
-merge by SIGKILL at a random time; then everything is run again: the picture must be complete and the same.
+Each partition takes a scene, a size, a profile, a mode, layers, noise reduction, a crop and a format at random. It draws the picture in
+one process, and in a store by workers with shares of different sizes, in random order, sometimes two at a time, with bands that are lost
+or damaged in between; then it compares all files. Each kill ends a worker or the last command by SIGKILL at a random time; then the same
+commands run again.
 """
 import argparse
 import os
@@ -51,6 +52,8 @@ def some_options():
             words += ["--fresnel", "--seed", str(chance.randint(0, 99))]
     if chance.random() < 0.3:
         words += ["--mode", chance.choice(["intersect", "normals"])]
+    elif chance.random() < 0.2 and "--profile" not in words and "--denoise" not in words and "--fresnel" not in words:
+        return words + ["--mode", "path", "--exposure", "0.3"], end
     if end != ".pfm" and chance.random() < 0.5:
         names = ["depth", "normal", "uv", "albedo", "object-id", "shadow", "reflection-depth"]
         words += ["--aov", ",".join(chance.sample(names, chance.randint(1, 4)))]
@@ -66,70 +69,101 @@ def files_of(folder):
             if os.path.isfile(os.path.join(folder, name)) and not name.endswith(".tmp")}
 
 
-def part_words(scene, number, count, options):
-    return ["render", scene, "-o", f"parts/{number}.part", "--part", f"{number}/{count}", *options]
+def share_words(scene, number, count, options):
+    return ["render", scene, "--store", "store", "--part", f"{number}/{count}", *options]
 
 
-def compare(whole, merged, what):
-    expected, found = files_of(whole), files_of(merged)
+def compare(whole, made, what):
+    expected, found = files_of(whole), files_of(made)
     if not expected or expected != found:
         failures.append(f"{what}: the bytes differ")
+
+
+def make_folders(folder):
+    paths = [os.path.join(folder, name) for name in ("whole", "made")]
+    for path in paths:
+        os.mkdir(path)
+    return paths
+
+
+def damage_a_band(made):
+    store = os.path.join(made, "store")
+    bands = os.listdir(store) if os.path.isdir(store) else []
+    if not bands:
+        return
+    path = os.path.join(store, chance.choice(bands))
+    data = bytearray(open(path, "rb").read())
+    kind = chance.choice(["lose", "cut", "flip"])
+    if kind == "lose":
+        os.unlink(path)
+        return
+    at = chance.randrange(len(data))
+    if kind == "cut":
+        del data[at:]
+    else:
+        data[at] ^= 1 << chance.randrange(8)
+    with open(path, "wb") as file:
+        file.write(data)
 
 
 def partition(number):
     scene = scenes[number % len(scenes)]
     options, end = some_options()
-    count = chance.choice([1, 2, 3, chance.randint(2, 12), chance.randint(2, 40)])
-    what = f"{os.path.basename(scene)} {' '.join(options)} in {count} parts, {end}"
+    last = ["render", scene, "--store", "store", "-o", "picture" + end, *options]
     with tempfile.TemporaryDirectory() as folder:
-        for name in ("whole", "merged", "merged/parts"):
-            os.mkdir(os.path.join(folder, name))
-        whole, merged = os.path.join(folder, "whole"), os.path.join(folder, "merged")
+        whole, made = make_folders(folder)
         if run(["render", scene, "-o", "picture" + end, *options], whole).returncode != 0:
-            failures.append(f"{what}: one process failed")
+            failures.append(f"{' '.join(options)}: one process failed")
             return
-        order = list(range(1, count + 1))
-        chance.shuffle(order)
-        for index in order:
-            done = run(part_words(scene, index, count, options), merged)
-            if done.returncode != 0:
-                failures.append(f"{what}: part {index}: {done.stderr}")
-                return
-        done = run(["merge", "parts", "-o", "picture" + end], merged)
-        if done.returncode != 0:
-            failures.append(f"{what}: {done.stderr}")
-        compare(whole, merged, what)
+        counts = [chance.randint(1, 6) for _ in range(chance.randint(0, 3))]
+        what = f"{os.path.basename(scene)} {' '.join(options)} in shares of {counts}, {end}"
+        for count in counts:
+            shares = [share_words(scene, index, count, options) for index in range(1, count + 1)]
+            chance.shuffle(shares)
+            workers = [subprocess.Popen([program, *words], cwd=made, stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+                       for words in shares[:2] + shares[:1]]
+            for worker in workers:
+                said = worker.communicate()[1]
+                if worker.returncode != 0:
+                    failures.append(f"{what}: {said}")
+                    return
+            for words in shares[:chance.randint(0, count)]:
+                run(words, made)
+            if chance.random() < 0.5:
+                damage_a_band(made)
+        missing = run([*last, "--missing", "5"], made)
+        done = run(last, made)
+        if done.returncode != 0 or missing.returncode not in (0, 1) or bool(missing.stdout) != bool(missing.returncode):
+            failures.append(f"{what}: {done.stderr}{missing.stderr}")
+        if run([*last, "--missing", "5"], made).returncode != 0:
+            failures.append(f"{what}: shares are missing at the end")
+        compare(whole, made, what)
 
 
 def killed(number):
-    """Draws all parts and merges them, killing one process halfway; then repeats everything without a kill."""
+    """Draws shares and the picture, killing one process halfway; then repeats everything without a kill."""
     scene = scenes[number % len(scenes)]
     options = ["--size", "160x120", "--samples", "16", "--aov", "depth,normal"]
     count = 4
     with tempfile.TemporaryDirectory() as folder:
-        for name in ("whole", "merged", "merged/parts"):
-            os.mkdir(os.path.join(folder, name))
-        whole, merged = os.path.join(folder, "whole"), os.path.join(folder, "merged")
+        whole, made = make_folders(folder)
         run(["render", scene, "-o", "picture.exr", *options], whole)
-        steps = [part_words(scene, i, count, options) for i in range(1, count + 1)] + [
-            ["merge", "parts", "-o", "picture.exr"]]
+        steps = [share_words(scene, i, count, options) for i in range(1, count + 1)] + [
+            ["render", scene, "--store", "store", "-o", "picture.exr", *options]]
         victim = chance.choice([chance.randrange(count), count])
-        for i, words in enumerate(steps):
-            process = subprocess.Popen([program, *words], cwd=merged, stdin=subprocess.DEVNULL,
+        for i, words in enumerate(steps[:victim + 1]):
+            process = subprocess.Popen([program, *words], cwd=made, stdin=subprocess.DEVNULL,
                                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             if i == victim:
-                time.sleep(chance.random() * (0.03 if i == count else 0.4))
+                time.sleep(chance.random() * (0.05 if i == count else 0.4))
                 process.kill()
             process.wait()
-        if victim < count and os.path.exists(os.path.join(merged, "picture.exr")) and run(
-                ["merge", "parts", "--missing"], merged).returncode != 0:
-            failures.append("a picture was written though parts are missing")
         for words in steps:
-            done = run(words, merged)
+            done = run(words, made)
             if done.returncode != 0:
                 failures.append(f"after a kill: {done.stderr}")
-        compare(whole, merged, f"{os.path.basename(scene)} after a kill of step {victim}")
-        left = [n for n in os.listdir(os.path.join(merged, "parts")) if not n.endswith(".part") and not n.endswith(".tmp")]
+        compare(whole, made, f"{os.path.basename(scene)} after a kill of step {victim}")
+        left = [n for n in os.listdir(os.path.join(made, "store")) if not n.endswith(".exr") and not n.endswith(".tmp")]
         if left:
             failures.append(f"left behind: {left}")
 

@@ -81,7 +81,7 @@ TEST(Render, ACanvasOfAnySizeChangesNoPixel) {
   }
 }
 
-// Progress, states and previews are read while other threads write; intended for ThreadSanitizer.
+// Progress and previews are read while other threads write; intended for ThreadSanitizer.
 TEST(Render, ProgressWorksWithAnyNumberOfThreads) {
   const SceneBuilder b = busy_scene();
   for (const Profile profile : {Profile::course, Profile::fine}) {
@@ -90,16 +90,12 @@ TEST(Render, ProgressWorksWithAnyNumberOfThreads) {
     options.height = 48;
     options.threads = 1;
     const Image one = render(b.scene, b.assets, options).image;
-    Checkpoints checkpoints;
-    checkpoints.interval_seconds = 0;
-    checkpoints.save = [](const std::string& state) { EXPECT_FALSE(state.empty()); };
     Preview preview;
     preview.interval_seconds = 0;
     preview.show = [](const Image& image) { EXPECT_EQ(image.width, 64); };
     for (options.threads = 1; options.threads <= 16; ++options.threads) {
       const RenderResult result = render(b.scene, b.assets, options,
                                          {.progress = [](double) { return true; },
-                                          .checkpoints = checkpoints,
                                           .preview = preview});
       EXPECT_TRUE(one.rgb == result.image.rgb) << options.threads;
     }

@@ -1,10 +1,13 @@
-// Pictures driven by the caller: passes, parts, and a reused acceleration structure.
+// Pictures driven by the caller: passes, bands, and a reused acceleration structure.
 
 #include "scenefile/trace/picture_state.h"
+
+#include "scenefile/trace/bands.h"
 #include "trace/build_scene.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace scenefile::trace_test {
@@ -83,47 +86,49 @@ TEST(State, PassesMakeThePicture) {
   }
 }
 
-TEST(State, PartsMergeToTheSameBytes) {
+// The pixels of bands are those of the whole picture.
+TEST(State, BandsAreThePicture) {
   for (const double aperture : {0.0, 0.01}) {
     const SceneBuilder b = many_spheres(aperture);
     const TraceScene traced(b.scene, b.assets);
     for (const RenderOptions& options : all_kinds()) {
-      const RenderResult expected = render(b.scene, b.assets, options);
-      for (const std::uint32_t count : {1u, 2u, 3u, 7u, 50u}) {
-        PictureState whole = make_state(b.scene, options);
+      const RenderResult whole = render(b.scene, b.assets, options);
+      const PixelRegion region =
+          options.crop.value_or(PixelRegion{0, 0, options.width, options.height});
+      for (const std::uint32_t count : {1u, 2u, 3u}) {
+        RenderResult drawn = whole;
+        std::fill(drawn.image.rgb.begin(), drawn.image.rgb.end(), -1.0F);
         for (std::uint32_t i = count; i-- > 0;) {
-          EXPECT_FALSE(complete(whole) && count < 10) << "parts are missing";
-          PictureState part = make_part(b.scene, options, i, count);
-          EXPECT_EQ(merge(whole, part), complete(part)) << "an incomplete part is refused";
-          if (!complete(part)) {
-            finish(traced, b, options, part);
-            EXPECT_TRUE(merge(whole, part));
+          const RowRange band = share_of({0, region.height()}, i, count);
+          RenderOptions of_band = options;
+          of_band.crop = {region.x0, region.y0 + band.first, region.x1, region.y0 + band.end};
+          const RenderResult part =
+              render(b.scene, b.assets, of_band, {.traced = &traced});
+          const auto put = [&](const std::vector<float>& from, std::vector<float>& to) {
+            const std::size_t row = to.size() / static_cast<std::size_t>(region.height());
+            ASSERT_EQ(from.size(), row * static_cast<std::size_t>(band.rows()));
+            std::copy(from.begin(), from.end(),
+                      to.begin() + static_cast<std::ptrdiff_t>(row) * band.first);
+          };
+          put(part.image.rgb, drawn.image.rgb);
+          for (std::size_t k = 0; k < part.layers.size(); ++k) {
+            put(part.layers[k].values, drawn.layers[k].values);
           }
         }
-        EXPECT_TRUE(complete(whole)) << count;
-        expect_same(resolve(std::move(whole)), expected);
+        expect_same({drawn.image, drawn.layers}, whole);
       }
     }
   }
 }
 
-TEST(State, PartsOfOtherPicturesAreRejected) {
+TEST(State, TheMarginIsWhatIsDrawnAround) {
   const SceneBuilder b = many_spheres();
-  const TraceScene traced(b.scene, b.assets);
-  const RenderOptions course = all_kinds()[0];
-  RenderOptions fine = all_kinds()[6];
-  PictureState part = make_part(b.scene, course, 0, 2);
-  finish(traced, b, course, part);
-  PictureState other = make_state(b.scene, fine);
-  EXPECT_FALSE(merge(other, part));
-  RenderOptions layered = course;
-  layered.layers = {{LayerKind::depth, 0}};
-  other = make_state(b.scene, layered);
-  EXPECT_FALSE(merge(other, part));
-  RenderOptions small = course;
-  small.width = 20;
-  other = make_state(b.scene, small);
-  EXPECT_FALSE(merge(other, part));
+  for (RenderOptions options : all_kinds()) {
+    options.crop = PixelRegion{30, 20, 40, 30};
+    const PictureState state = make_state(b.scene, options);
+    EXPECT_EQ(margin_of(b.scene, options), 20 - state.region.y0);
+    EXPECT_EQ(margin_of(b.scene, options), state.region.x1 - 40);
+  }
 }
 
 TEST(State, ShortCallsContinue) {
@@ -133,10 +138,6 @@ TEST(State, ShortCallsContinue) {
     PictureState state = make_state(b.scene, options);
     for (int calls = 0; !complete(state) && calls < 1000; ++calls) {
       render_pass(traced, b.scene, options, state, [](double) { return false; });
-      // As if another process resumed.
-      PictureState next = make_state(b.scene, options);
-      ASSERT_TRUE(decode_state(encode_state(state), next));
-      state = std::move(next);
     }
     expect_same(resolve(std::move(state)), render(b.scene, b.assets, options));
   }

@@ -43,7 +43,7 @@ extern const Codec pfm_codec;
 extern const Codec exr_codec;
 
 /// Encodes PNG for encode_image(). The image must not be empty.
-std::string encode_png(const Image& image, int bits, Rounding rounding);
+std::string encode_png(const Image& image, int bits, Rounding rounding, std::string_view text);
 
 inline constexpr std::string_view ends_early = "the file ends early";
 

@@ -26,9 +26,9 @@ std::string encode_pfm(const Image& image) {
   return bytes;
 }
 
-Result<std::string> encode_exr(const Image& image) {
+Result<std::string> encode_exr(const Image& image, const FileNote& note) {
   const ImageLayer picture{"", {"R", "G", "B"}, false, image.rgb};
-  return encode_layers(image.width, image.height, {&picture, 1});
+  return encode_layers(image.width, image.height, {&picture, 1}, note);
 }
 
 bool ends_with(std::string_view text, std::string_view end) {
@@ -82,21 +82,22 @@ std::optional<ImageFormat> image_format_of(std::string_view file_name) {
   return std::nullopt;
 }
 
-Result<std::string> encode_image(const Image& image, ImageFormat format, Rounding rounding) {
+Result<std::string> encode_image(const Image& image, ImageFormat format, Rounding rounding,
+                                 const FileNote& note) {
   if (image.rgb.empty()) {
     return input_error("an image without pixels cannot be written");
   }
   switch (format) {
     case ImageFormat::png8:
-      return encode_png(image, 8, rounding);
+      return encode_png(image, 8, rounding, note.text);
     case ImageFormat::png16:
-      return encode_png(image, 16, rounding);
+      return encode_png(image, 16, rounding, note.text);
     case ImageFormat::exr:
-      return encode_exr(image);
+      return encode_exr(image, note);
     case ImageFormat::pfm:
       break;
   }
-  return encode_pfm(image);
+  return encode_pfm(image) + note.text;
 }
 
 }  // namespace scenefile

@@ -18,7 +18,6 @@ constexpr std::uint32_t long_names = 0x400;  // a flag of the version: names bey
 constexpr std::size_t short_name = 31;
 constexpr std::size_t longest_name = 255;
 constexpr char zip_of_16_rows = 3;
-constexpr int rows_of_a_block = 16;
 // OpenEXR's own default; higher levels take twice the time to save one percent of the size.
 constexpr int deflate_level = 4;
 
@@ -35,9 +34,7 @@ std::vector<Channel> channels_of(std::span<const ImageLayer> layers) {
   for (std::size_t l = 0; l < layers.size(); ++l) {
     const ImageLayer& layer = layers[l];
     for (std::size_t i = 0; i < layer.channels.size(); ++i) {
-      const std::string& letter = layer.channels[i];
-      channels.push_back(
-          {layer.name.empty() ? letter : layer.name + "." + letter, layer.whole, l, i});
+      channels.push_back({channel_name(layer, i), layer.whole, l, i});
     }
   }
   std::sort(channels.begin(), channels.end(),
@@ -74,15 +71,16 @@ std::string channel_list(const std::vector<Channel>& channels) {
   return bytes;
 }
 
-std::string window_of(int width, int height) {
+std::string window_of(int width, int first, int end) {
   std::string bytes;
-  for (const int value : {0, 0, width - 1, height - 1}) {
+  for (const int value : {0, first, width - 1, end - 1}) {
     append(bytes, static_cast<std::uint32_t>(value));
   }
   return bytes;
 }
 
-std::string header_of(int width, int height, const std::vector<Channel>& channels) {
+std::string header_of(int width, int height, const std::vector<Channel>& channels,
+                      const FileNote& note) {
   const bool has_long = std::any_of(channels.begin(), channels.end(), [](const Channel& channel) {
     return channel.name.size() > short_name;
   });
@@ -93,17 +91,21 @@ std::string header_of(int width, int height, const std::vector<Channel>& channel
   append(bytes, version | (has_long ? long_names : 0));
   append_attribute(bytes, "channels", "chlist", channel_list(channels));
   append_attribute(bytes, "compression", "compression", {&zip_of_16_rows, 1});
-  append_attribute(bytes, "dataWindow", "box2i", window_of(width, height));
-  append_attribute(bytes, "displayWindow", "box2i", window_of(width, height));
+  append_attribute(bytes, "dataWindow", "box2i",
+                   window_of(width, note.first, note.first + height));
+  append_attribute(bytes, "displayWindow", "box2i",
+                   window_of(width, 0, note.picture_height == 0 ? height : note.picture_height));
   append_attribute(bytes, "lineOrder", "lineOrder", std::string_view("\0", 1));
   append_attribute(bytes, "pixelAspectRatio", "float", one);
+  if (!note.text.empty()) {
+    append_attribute(bytes, "scenefile", "string", note.text);
+  }
   append_attribute(bytes, "screenWindowCenter", "v2f", std::string(8, '\0'));
   append_attribute(bytes, "screenWindowWidth", "float", one);
   bytes.push_back('\0');
   return bytes;
 }
 
-// `y` counts from the first row of the values.
 void append_row(std::string& bytes, const Channel& channel, const ImageLayer& layer,
                 std::size_t width, std::size_t y) {
   const std::size_t step = layer.channels.size();
@@ -140,14 +142,14 @@ std::string packed_block(std::string raw) {
 }
 
 std::string block_of(int width, int y, int end, const std::vector<Channel>& channels,
-                     const LayerRows& rows) {
+                     std::span<const ImageLayer> layers) {
   std::string raw;
   raw.reserve(channels.size() * 4 * static_cast<std::size_t>(width) *
               static_cast<std::size_t>(end - y));
   for (int row = y; row < end; ++row) {
     for (const Channel& channel : channels) {
-      append_row(raw, channel, rows.layers[channel.layer], static_cast<std::size_t>(width),
-                 static_cast<std::size_t>(row - rows.first));
+      append_row(raw, channel, layers[channel.layer], static_cast<std::size_t>(width),
+                 static_cast<std::size_t>(row));
     }
   }
   return packed_block(std::move(raw));
@@ -155,8 +157,14 @@ std::string block_of(int width, int y, int end, const std::vector<Channel>& chan
 
 }  // namespace
 
-Result<void> stream_layers(int width, int height, std::span<const ImageLayer> layers,
-                           const LayerSource& rows, const ByteSink& sink) {
+std::string channel_name(const ImageLayer& layer, std::size_t channel) {
+  const std::string& letter = layer.channels[channel];
+  return layer.name.empty() ? letter : layer.name + "." + letter;
+}
+
+Result<void> stream_blocks(int width, int height, std::span<const ImageLayer> layers,
+                           const BlockSource& block_at, const ByteSink& sink,
+                           const FileNote& note) {
   const Error canceled{"canceled", ErrorKind::cancelled};
   const std::vector<Channel> channels = channels_of(layers);
   for (const Channel& channel : channels) {
@@ -164,8 +172,8 @@ Result<void> stream_layers(int width, int height, std::span<const ImageLayer> la
       return Error{"the name of a layer is too long for EXR", ErrorKind::usage};
     }
   }
-  const std::string header = header_of(width, height, channels);
-  const std::size_t blocks = static_cast<std::size_t>((height - 1) / rows_of_a_block + 1);
+  const std::string header = header_of(width, height, channels, note);
+  const std::size_t blocks = static_cast<std::size_t>((height - 1) / exr_block_rows + 1);
   // The offsets of the blocks are only known when all are written.
   std::string offsets(8 * blocks, '\0');
   if (!sink.append(header) || !sink.append(offsets)) {
@@ -173,29 +181,31 @@ Result<void> stream_layers(int width, int height, std::span<const ImageLayer> la
   }
   std::uint64_t place = header.size() + offsets.size();
   offsets.clear();
-  for (int y = 0; y < height; y += rows_of_a_block) {
-    const int end = std::min(height, y + rows_of_a_block);
-    const std::optional<LayerRows> values = rows(y, end);
-    if (!values) {
+  for (int y = 0; y < height; y += exr_block_rows) {
+    const std::optional<std::string> block = block_at(y, std::min(height, y + exr_block_rows));
+    if (!block) {
       return canceled;
     }
-    const std::string block = block_of(width, y, end, channels, *values);
     std::string head;
-    append(head, static_cast<std::uint32_t>(y));
-    append(head, static_cast<std::uint32_t>(block.size()));
-    if (!sink.append(head) || !sink.append(block)) {
+    append(head, static_cast<std::uint32_t>(note.first + y));
+    append(head, static_cast<std::uint32_t>(block->size()));
+    if (!sink.append(head) || !sink.append(*block)) {
       return canceled;
     }
     append(offsets, place);
-    place += head.size() + block.size();
+    place += head.size() + block->size();
   }
   return sink.replace(header.size(), offsets) ? Result<void>() : canceled;
 }
 
-Result<std::string> encode_layers(int width, int height, std::span<const ImageLayer> layers) {
+Result<std::string> encode_layers(int width, int height, std::span<const ImageLayer> layers,
+                                  const FileNote& note) {
   std::string bytes;
-  const auto rows = [&](int, int) { return LayerRows{layers, 0}; };
-  const Result<void> written = stream_layers(width, height, layers, rows, sink_to(bytes));
+  const std::vector<Channel> channels = channels_of(layers);
+  const Result<void> written = stream_blocks(
+      width, height, layers,
+      [&](int y, int end) { return block_of(width, y, end, channels, layers); }, sink_to(bytes),
+      note);
   return written ? Result<std::string>(std::move(bytes)) : written.error();
 }
 

@@ -2,6 +2,7 @@
 // only file that includes it.
 
 #include "scenefile/asset/codec.h"
+#include "scenefile/asset/exr_rows.h"
 #include "scenefile/asset/exr_signature.h"
 #include "scenefile/base/text.h"
 
@@ -353,21 +354,23 @@ Result<ExrLayer> choose_exr_layer(const ExrFile& file, const std::vector<ExrPart
   return *chosen;
 }
 
-// Decodes chunks to rows of red, green and blue, `part.chunk_width` pixels long.
+// Where the values of a channel go. Strides count floats.
+struct ExrTarget {
+  std::string_view channel;
+  float* values = nullptr;
+  std::size_t pixel_stride = 0;
+  std::size_t row_stride = 0;
+};
+
 class ChunkDecoder {
  public:
-  ChunkDecoder(const ExrFile& file, const ExrPart& part, const ExrLayer& layer)
-      : file_(file),
-        part_(part),
-        layer_(layer),
-        colors_(3 * static_cast<std::size_t>(part.chunk_width * part.chunk_height)) {}
+  ChunkDecoder(const ExrFile& file, const ExrPart& part) : file_(file), part_(part) {}
   ~ChunkDecoder() { exr_decoding_destroy(file_.get(), &pipeline_); }
   ChunkDecoder(const ChunkDecoder&) = delete;
   ChunkDecoder& operator=(const ChunkDecoder&) = delete;
 
-  const float* colors() const { return colors_.data(); }
-
-  Result<void> decode(const exr_chunk_info_t& chunk) {
+  // Only the values may differ between calls.
+  Result<void> decode(const exr_chunk_info_t& chunk, std::span<const ExrTarget> targets) {
     if (chunk.width > part_.chunk_width || chunk.height > part_.chunk_height) {
       return input_error("a block has the wrong size");
     }
@@ -379,7 +382,7 @@ class ChunkDecoder {
       return file_.check(begun);
     }
     for (int i = 0; i < pipeline_.channel_count; ++i) {
-      set_target(pipeline_.channels[i]);
+      set_target(pipeline_.channels[i], targets);
     }
     if (!std::exchange(started_, true)) {
       const exr_result_t chosen =
@@ -388,38 +391,27 @@ class ChunkDecoder {
         return file_.check(chosen);
       }
     }
-    if (const Result<void> run = file_.check(exr_decoding_run(context, part_.index, &pipeline_));
-        !run) {
-      return run.error();
-    }
-    if (layer_.channels[0] == layer_.channels[1]) {
-      for (std::size_t i = 0; i < colors_.size(); i += 3) {
-        colors_[i + 1] = colors_[i + 2] = colors_[i];
-      }
-    }
-    return {};
+    return file_.check(exr_decoding_run(context, part_.index, &pipeline_));
   }
 
  private:
-  void set_target(exr_coding_channel_info_t& channel) {
+  static void set_target(exr_coding_channel_info_t& channel, std::span<const ExrTarget> targets) {
     channel.decode_to_ptr = nullptr;
-    const auto found =
-        std::find(layer_.channels.begin(), layer_.channels.end(), channel.channel_name);
-    if (found == layer_.channels.end()) {
+    const auto found = std::find_if(
+        targets.begin(), targets.end(),
+        [&](const ExrTarget& target) { return target.channel == channel.channel_name; });
+    if (found == targets.end()) {
       return;
     }
     channel.user_data_type = EXR_PIXEL_FLOAT;
     channel.user_bytes_per_element = sizeof(float);
-    channel.user_pixel_stride = 3 * sizeof(float);
-    channel.user_line_stride = static_cast<std::int32_t>(3 * sizeof(float) * part_.chunk_width);
-    channel.decode_to_ptr =
-        reinterpret_cast<std::uint8_t*>(colors_.data() + (found - layer_.channels.begin()));
+    channel.user_pixel_stride = static_cast<std::int32_t>(sizeof(float) * found->pixel_stride);
+    channel.user_line_stride = static_cast<std::int32_t>(sizeof(float) * found->row_stride);
+    channel.decode_to_ptr = reinterpret_cast<std::uint8_t*>(found->values);
   }
 
   const ExrFile& file_;
   const ExrPart& part_;
-  const ExrLayer& layer_;
-  std::vector<float> colors_;
   exr_decode_pipeline_t pipeline_ = EXR_DECODE_PIPELINE_INITIALIZER;
   bool started_ = false;
 };
@@ -456,7 +448,14 @@ Result<void> decode_exr(std::string_view bytes, std::string_view layer_name, Ima
   }
   const ExrWindow shown = exr_window(box);
   const ExrWindow& data = part.data;
-  ChunkDecoder decoder(file, part, *layer);
+  const auto row_width = static_cast<std::size_t>(part.chunk_width);
+  std::vector<float> colors(3 * row_width * static_cast<std::size_t>(part.chunk_height));
+  std::vector<ExrTarget> targets;
+  const bool gray = layer->channels[0] == layer->channels[1];
+  for (std::size_t i = 0; i < (gray ? 1 : 3); ++i) {
+    targets.push_back({layer->channels[i], &colors[i], 3, 3 * row_width});
+  }
+  ChunkDecoder decoder(file, part);
   for (std::int64_t y = data.y0; y < data.y1; y += part.chunk_height) {
     for (std::int64_t x = data.x0; x < data.x1; x += part.chunk_width) {
       const ExrWindow place{x, y, std::min(x + part.chunk_width, data.x1),
@@ -474,18 +473,133 @@ Result<void> decode_exr(std::string_view bytes, std::string_view layer_name, Ima
               : exr_read_scanline_chunk_info(file.get(), part.index, static_cast<int>(y), &chunk);
       Result<void> done = file.check(found);
       if (done) {
-        done = decoder.decode(chunk);
+        done = decoder.decode(chunk, targets);
       }
       if (!done) {
         return done;
       }
-      copy_visible_chunk(decoder.colors(), part.chunk_width, place, shown, image);
+      for (std::size_t i = 0; gray && i < colors.size(); i += 3) {
+        colors[i + 1] = colors[i + 2] = colors[i];
+      }
+      copy_visible_chunk(colors.data(), part.chunk_width, place, shown, image);
     }
   }
   return {};
 }
 
 }  // namespace
+
+struct ExrRows::State {
+  explicit State(std::string all) : bytes(std::move(all)), file(bytes) {}
+
+  std::string bytes;
+  ExrFile file;
+  ExrPart part = {};
+  ExrWindow picture = {};
+};
+
+ExrRows::ExrRows(std::unique_ptr<State> state) : state_(std::move(state)) {}
+ExrRows::ExrRows(ExrRows&& other) noexcept = default;
+ExrRows& ExrRows::operator=(ExrRows&& other) noexcept = default;
+ExrRows::~ExrRows() = default;
+
+Result<ExrRows> ExrRows::open(std::string bytes) {
+  auto state = std::make_unique<State>(std::move(bytes));
+  const ExrFile& file = state->file;
+  if (!file.opened()) {
+    return file.opened().error();
+  }
+  const Result<std::vector<ExrPart>> parts = read_exr_parts(file);
+  if (!parts) {
+    return parts.error();
+  }
+  exr_attr_box2i_t box{};
+  exr_compression_t compression{};
+  for (const exr_result_t result : {exr_get_display_window(file.get(), 0, &box),
+                                    exr_get_compression(file.get(), 0, &compression)}) {
+    if (const Result<void> read = file.check(result); !read) {
+      return read.error();
+    }
+  }
+  const ExrPart& part = state->part = parts->front();
+  const ExrWindow& picture = state->picture = exr_window(box);
+  const bool whole_rows = part.data.x0 == 0 && part.data.x1 == picture.x1 && picture.x0 == 0 &&
+                          picture.y0 == 0 && part.data.y0 >= 0 && part.data.y1 <= picture.y1;
+  if (parts->size() != 1 || part.tiled || compression != EXR_COMPRESSION_ZIP || !whole_rows) {
+    return input_error("it does not have the rows of a picture in ZIP blocks");
+  }
+  return ExrRows(std::move(state));
+}
+
+int ExrRows::width() const {
+  return static_cast<int>(state_->picture.width());
+}
+int ExrRows::picture_height() const {
+  return static_cast<int>(state_->picture.height());
+}
+int ExrRows::first() const {
+  return static_cast<int>(state_->part.data.y0);
+}
+int ExrRows::end() const {
+  return static_cast<int>(state_->part.data.y1);
+}
+
+Result<void> ExrRows::read(std::span<ImageLayer> layers) const {
+  const auto& [bytes, file, part, picture] = *state_;
+  const std::vector<ExrChannel> there = exr_channels(file, part);
+  const auto across = static_cast<std::size_t>(width());
+  std::vector<std::string> names;
+  std::vector<ExrTarget> targets;
+  for (ImageLayer& layer : layers) {
+    const std::size_t channels = layer.channels.size();
+    layer.values.resize(channels * across * static_cast<std::size_t>(end() - first()));
+    for (std::size_t i = 0; i < channels; ++i) {
+      names.push_back(channel_name(layer, i));
+      targets.push_back({{}, layer.values.data() + i, channels, channels * across});
+      if (std::none_of(there.begin(), there.end(), [&](const ExrChannel& channel) {
+            return channel.full == names.back() && channel.whole;
+          })) {
+        return input_error(fmt::format("it has no channel {}", quoted(names.back(), 80)));
+      }
+    }
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    targets[i].channel = names[i];
+  }
+  ChunkDecoder decoder(file, part);
+  for (int y = first(); y < end(); y += static_cast<int>(part.chunk_height)) {
+    exr_chunk_info_t chunk{};
+    Result<void> done =
+        file.check(exr_read_scanline_chunk_info(file.get(), part.index, y, &chunk));
+    if (done) {
+      done = decoder.decode(chunk, targets);
+    }
+    if (!done) {
+      return done;
+    }
+    for (ExrTarget& target : targets) {
+      target.values += target.row_stride * static_cast<std::size_t>(part.chunk_height);
+    }
+  }
+  return {};
+}
+
+Result<std::string> ExrRows::block(int y) const {
+  const auto& [bytes, file, part, picture] = *state_;
+  exr_chunk_info_t chunk{};
+  if (const Result<void> found =
+          file.check(exr_read_scanline_chunk_info(file.get(), part.index, y, &chunk));
+      !found) {
+    return found.error();
+  }
+  if (chunk.packed_size > bytes.size()) {
+    return input_error(std::string(ends_early));
+  }
+  std::string packed(chunk.packed_size, '\0');
+  const Result<void> read =
+      file.check(exr_read_chunk(file.get(), part.index, &chunk, packed.data()));
+  return read ? Result<std::string>(std::move(packed)) : read.error();
+}
 
 const Codec exr_codec{{"EXR", ".exr"}, recognizes_exr, read_exr_header, nullptr, decode_exr};
 

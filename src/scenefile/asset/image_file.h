@@ -101,15 +101,31 @@ constexpr LayerStorage layer_storage(ImageFormat format) {
   return LayerStorage::none;
 }
 
+/// What a file may contain in addition to its pixels.
+struct FileNote {
+  /// One line of ASCII, for programs: the attribute `scenefile` of EXR files, the text with this
+  /// keyword of PNG files, bytes after the pixels of PFM files. Empty: none.
+  std::string text = {};
+  /// EXR: the row of the picture that is the first one of the file, and the number of rows of the
+  /// picture; 0: those of the file. (The data window lies in the display window.)
+  int first = 0;
+  int picture_height = 0;
+};
+
 /// Encodes; png8 and png16 clamp to [0, 1] and use `rounding`, the others keep every value
 /// unchanged, as 32-bit floats. Linear values are stored directly, without gamma. The same
 /// image gives the same bytes. Fails for an image without pixels.
-Result<std::string> encode_image(const Image& image, ImageFormat format, Rounding rounding);
+Result<std::string> encode_image(const Image& image, ImageFormat format, Rounding rounding,
+                                 const FileNote& note = {});
 
 /// Encodes all layers as one OpenEXR file. By its convention the channel X of the layer normal is
 /// called normal.X, channels of a layer without a name have no dot; channels are sorted by these
 /// names. Values are 32-bit floats, integers are 32-bit unsigned. Same layers, same bytes. Fails if
 /// the name of a layer is too long.
-Result<std::string> encode_layers(int width, int height, std::span<const ImageLayer> layers);
+/// `height`: of the layers.
+Result<std::string> encode_layers(int width, int height, std::span<const ImageLayer> layers,
+                                  const FileNote& note = {});
+/// The name of a channel of the layer in such a file.
+std::string channel_name(const ImageLayer& layer, std::size_t channel);
 
 }  // namespace scenefile

@@ -2,7 +2,7 @@
 // Writes image files row by row, for pictures that do not fit in memory. The bytes are those of
 // encode_image() and encode_layers() (image_file.h).
 
-#include "scenefile/asset/image.h"
+#include "scenefile/asset/image_file.h"
 #include "scenefile/base/result.h"
 
 #include <cstdint>
@@ -27,26 +27,25 @@ ByteSink sink_to(std::string& bytes);
 /// Returns the 3 * width values of row y, valid until the next call; null to cancel.
 using RowSource = std::function<const float*(int y)>;
 
-/// Requests each row once, from the top. Returns false if it was canceled.
+/// Requests each row once, from the top. Returns false if it was canceled. `text`: as FileNote::text.
 bool stream_png(int width, int height, int bits, Rounding rounding, const RowSource& rows,
-                const ByteSink& sink);
+                const ByteSink& sink, std::string_view text = {});
 
 /// Requests each row once, from the bottom. Returns false if it was canceled.
 bool stream_pfm(int width, int height, const RowSource& rows, const ByteSink& sink);
 
-/// Some rows of all layers.
-struct LayerRows {
-  std::span<const ImageLayer> layers;
-  int first = 0;  ///< the first row in `layers`
-};
+/// The rows of a block of an EXR file; the last block may have less.
+inline constexpr int exr_block_rows = 16;
 
-/// Returns the rows from y up to, but not including, `end`, valid until the next call; none to
-/// cancel.
-using LayerSource = std::function<std::optional<LayerRows>(int y, int end)>;
+/// Returns the packed block of the rows from y up to, but not including, `end`, counted from the
+/// first row of the file; none to cancel.
+using BlockSource = std::function<std::optional<std::string>(int y, int end)>;
 
-/// Requests each row once, from the top. `layers`: names, channels and `whole`, without values.
-/// Fails with ErrorKind::cancelled if it was canceled, or as encode_layers() does.
-Result<void> stream_layers(int width, int height, std::span<const ImageLayer> layers,
-                           const LayerSource& rows, const ByteSink& sink);
+/// Writes an EXR file from packed blocks (ExrRows::block() in exr_rows.h) of the same channels.
+/// Requests each once, from the top. `layers`: names, channels and `whole`, without values. Fails
+/// with ErrorKind::cancelled if it was canceled, or as encode_layers() does.
+Result<void> stream_blocks(int width, int height, std::span<const ImageLayer> layers,
+                           const BlockSource& block_at, const ByteSink& sink,
+                           const FileNote& note = {});
 
 }  // namespace scenefile

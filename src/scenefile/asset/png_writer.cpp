@@ -92,10 +92,13 @@ void append_header(int width, int height, int bits, std::string& file) {
 }  // namespace
 
 bool stream_png(int width, int height, int bits, Rounding rounding, const RowSource& rows,
-                const ByteSink& sink) {
+                const ByteSink& sink, std::string_view text) {
   constexpr std::size_t piece = 1 << 16;
   std::string file("\x89PNG\r\n\x1a\n", 8);
   add_chunk(file, "IHDR", [&] { append_header(width, height, bits, file); });
+  if (!text.empty()) {
+    add_chunk(file, "tEXt", [&] { file.append("scenefile").append(1, '\0').append(text); });
+  }
   PngPacker packer;
   Rows filtered(width, bits, rounding);
   std::vector<std::uint8_t> ready;
@@ -118,11 +121,11 @@ bool stream_png(int width, int height, int bits, Rounding rounding, const RowSou
   return sink.append(std::string_view("\0\0\0\0IEND\xae\x42\x60\x82", 12));
 }
 
-std::string encode_png(const Image& image, int bits, Rounding rounding) {
+std::string encode_png(const Image& image, int bits, Rounding rounding, std::string_view text) {
   std::string file;
   stream_png(
       image.width, image.height, bits, rounding, [&](int y) { return image.pixel(0, y); },
-      sink_to(file));
+      sink_to(file), text);
   return file;
 }
 

@@ -17,12 +17,11 @@ double elapsed_since(PathClock::time_point start) {
   return std::chrono::duration<double>(PathClock::now() - start).count();
 }
 
-// Draws passes of 1, 1, 2, 4, ... samples, or a single one if nothing asks for more.
+// Draws passes of 1, 1, 2, 4, ... samples, or a single one if time does not limit them.
 void draw_passes(const PathScene& scene, const PathControl& control, PathClock::time_point start,
                  PathResult& result) {
   const auto most = static_cast<std::uint32_t>(scene.options.samples);
-  const bool one_pass = control.seconds <= 0 && !control.preview.show;
-  PathClock::time_point shown = start;
+  const bool one_pass = control.seconds <= 0;
   const PathClock::time_point first = PathClock::now();
   while (result.samples < most && result.status == RenderStatus::complete) {
     std::uint32_t target = one_pass ? most : std::clamp(2 * result.samples, 1u, most);
@@ -42,10 +41,6 @@ void draw_passes(const PathScene& scene, const PathControl& control, PathClock::
     result.status = add_samples(scene, target, result.state, progress, result.stats);
     if (result.status == RenderStatus::complete) {
       result.samples = target;
-    }
-    if (control.preview.show && elapsed_since(shown) >= control.preview.interval_seconds) {
-      control.preview.show(image_of(result.state));
-      shown = PathClock::now();
     }
   }
 }
@@ -70,9 +65,6 @@ PathResult render_path(const RenderScene& scene, const Assets& assets, const Ren
     draw_passes(PathScene(traced, scene, options), control, start, result);
   }
   result.image = image_of(result.state);
-  if (control.preview.show) {
-    control.preview.show(result.image);
-  }
   result.stats.trace_seconds = elapsed_since(tracing);
   return result;
 }

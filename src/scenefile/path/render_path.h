@@ -9,7 +9,6 @@ namespace scenefile {
 /// Optional arguments of render_path().
 struct PathControl {
   Progress progress = {};
-  Preview preview = {};
   /// Stops before the next pass if it would end later than this after the call; 0: no limit. There
   /// is at least one sample per pixel.
   double seconds = 0;

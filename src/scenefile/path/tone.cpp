@@ -7,25 +7,39 @@
 
 namespace scenefile {
 
-Image tone_mapped(Image image, Tone tone, double exposure) {
+namespace {
+
+Color exposed_color(const float* rgb, double gain) {
+  return gain * Color(rgb[0], rgb[1], rgb[2]);
+}
+
+}  // namespace
+
+double brightest(std::span<const float> rgb, double exposure) {
   const double gain = std::exp2(exposure);
-  const auto color = [&](std::size_t at) {
-    return gain * Color(image.rgb[at], image.rgb[at + 1], image.rgb[at + 2]);
-  };
-  double white = 0;
-  for (std::size_t at = 0; at < image.rgb.size(); at += 3) {
-    white = std::max(white, luminance(color(at)));
+  double most = 0;
+  for (std::size_t at = 0; at < rgb.size(); at += 3) {
+    most = std::max(most, luminance(exposed_color(&rgb[at], gain)));
   }
-  for (std::size_t at = 0; at < image.rgb.size(); at += 3) {
-    Color c = color(at);
+  return most;
+}
+
+void map_tones(std::span<float> rgb, Tone tone, double exposure, double white) {
+  const double gain = std::exp2(exposure);
+  for (std::size_t at = 0; at < rgb.size(); at += 3) {
+    Color c = exposed_color(&rgb[at], gain);
     if (tone == Tone::course && white > 0) {
       const double bright = luminance(c);
       c = glm::sqrt(glm::max(c * ((1 + bright / (white * white)) / (1 + bright)), Color(0)));
     }
     for (int i = 0; i < 3; ++i) {
-      image.rgb[at + i] = static_cast<float>(std::min(c[i], 1e38));
+      rgb[at + static_cast<std::size_t>(i)] = static_cast<float>(std::min(c[i], 1e38));
     }
   }
+}
+
+Image tone_mapped(Image image, Tone tone, double exposure) {
+  map_tones(image.rgb, tone, exposure, brightest(image.rgb, exposure));
   return image;
 }
 

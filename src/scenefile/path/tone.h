@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 namespace scenefile {
@@ -15,7 +16,14 @@ namespace scenefile {
 enum class Tone : std::uint8_t { course, none };
 inline constexpr std::array<std::string_view, 2> tone_words{"course", "none"};
 
-/// Multiplies by 2^exposure, then applies the curve. Values above 1 can remain; encoders clamp.
+/// The largest luminance of pixels (red, green and blue each) times 2^exposure: the white of a
+/// picture, if they are all of its pixels.
+double brightest(std::span<const float> rgb, double exposure);
+
+/// Multiplies by 2^exposure, then applies the curve with this white. Values above 1 can remain;
+/// encoders clamp.
+void map_tones(std::span<float> rgb, Tone tone, double exposure, double white);
+/// The same for a whole picture.
 Image tone_mapped(Image image, Tone tone, double exposure);
 
 }  // namespace scenefile

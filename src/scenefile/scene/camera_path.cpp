@@ -138,12 +138,16 @@ Camera camera_around(const Camera& camera, const glm::dvec3& center, double turn
 
 std::string camera_key(const Camera& camera) {
   std::string key;
+  const auto add = [&](float number) {
+    key += fmt::format("{}{:a}", key.empty() ? "" : ",", number);
+  };
   for (const ValueRow<Camera>& row : camera_rows) {
     if (const auto* const number = std::get_if<float Camera::*>(&row.member)) {
-      key += fmt::format(" {:a}", camera.**number);
+      add(camera.**number);
     } else if (const auto* const vector = std::get_if<glm::vec3 Camera::*>(&row.member)) {
-      const glm::vec3& v = camera.**vector;
-      key += fmt::format(" {:a} {:a} {:a}", v.x, v.y, v.z);
+      for (int i = 0; i < 3; ++i) {
+        add((camera.**vector)[i]);
+      }
     }
   }
   return key;

@@ -1,6 +1,6 @@
 #pragma once
-// An unfinished picture as plain data: created, drawn pass by pass, stored, assembled from parts,
-// and converted to an image by its owner.
+// An unfinished picture as plain data: created, drawn pass by pass, and converted to an image by its
+// owner.
 //
 //   PictureState state = make_state(scene, options);
 //   while (!complete(state) &&
@@ -8,8 +8,7 @@
 //   }
 //   Resolved picture = resolve(std::move(state));
 //
-// render() is this loop. A state only contains numbers: it can be copied, stored in a file
-// (encode_state), or drawn in parts on several machines and merged. All ways give the same bytes.
+// render() is this loop. To draw a picture in pieces, crop it: the pixels are the same.
 
 #include "scenefile/asset/image.h"
 #include "scenefile/trace/denoise.h"
@@ -18,8 +17,6 @@
 #include "scenefile/trace/trace_scene.h"
 
 #include <cstdint>
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace scenefile {
@@ -45,17 +42,15 @@ struct PictureState {
   /// (fine_samples.h), behind a lens 1 if the pixel could take more samples; then
   /// FineSampler::mark_of(): 0 if the pixel needs no more samples.
   std::vector<std::uint16_t> marked;
-  std::size_t merged = 0;  ///< pixels that merge() put in
 };
 
 /// The state of the whole picture before drawing. `canvas`: a black image to draw into, used if it
 /// has the size of the region; for callers with cheaper memory than the allocator's (io/memory.h).
 PictureState make_state(const RenderScene& scene, const RenderOptions& options, Image canvas = {});
 
-/// Part `index` of `count`, counted from 0: whole tiles, about the same number in each part; empty
-/// if there are more parts than tiles.
-PictureState make_part(const RenderScene& scene, const RenderOptions& options, std::uint32_t index,
-                       std::uint32_t count);
+/// How many pixels around its crop a state also draws, where the picture has them: what denoising
+/// and the decision about more samples read.
+int margin_of(const RenderScene& scene, const RenderOptions& options);
 
 /// Whether all passes are complete.
 bool complete(const PictureState& state);
@@ -75,18 +70,6 @@ struct Resolved {
 
 /// Extracts the picture; denoised if that was requested and the state is complete.
 Resolved resolve(PictureState state);
-
-/// Adds a complete part to the whole, which is complete once it has all parts. The part must be of
-/// the same picture with the same options, and not merged before. Returns false, and changes
-/// nothing, if the part is not complete or does not fit.
-bool merge(PictureState& whole, const PictureState& part);
-
-/// Serializes the state, for this build only. May be called by one thread during a pass; contains
-/// the pieces finished so far.
-std::string encode_state(const PictureState& state);
-/// Restores a state. `state` must be new, from make_state() or make_part() for the same picture.
-/// Returns false, and changes nothing, if the bytes do not fit.
-bool decode_state(std::string_view bytes, PictureState& state);
 
 /// The pixels of `crop` from an image of `region`, which contains it.
 Image cut(const Image& image, const PixelRegion& region, const PixelRegion& crop);

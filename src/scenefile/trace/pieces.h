@@ -1,6 +1,5 @@
 #pragma once
-// The tiles of a picture: which are finished, and how they are divided into parts that can be drawn
-// on different machines and merged.
+// The tiles of a picture: which are finished.
 
 #include "scenefile/trace/render_options.h"
 
@@ -25,11 +24,6 @@ class Pieces {
  public:
   Pieces() = default;
   Pieces(int width, int height);  ///< pixels
-  Pieces(const Pieces& other);
-  Pieces& operator=(const Pieces& other);
-  Pieces(Pieces&&) noexcept = default;
-  Pieces& operator=(Pieces&&) noexcept = default;
-  ~Pieces() = default;
 
   std::size_t count() const { return done_.size(); }
   /// The index of the tile that contains a pixel.
@@ -52,13 +46,5 @@ class Pieces {
 
 /// Whether the region has no pixels.
 bool empty(const PixelRegion& region);
-
-/// The maximum number of parts.
-inline constexpr std::uint32_t max_parts = 1000000;
-
-/// The pixels of part `index` of `count`, counted from 0. The parts cover the region without
-/// overlap; each is a rectangle of whole tiles, about the same number in each. Empty if
-/// there are more parts than tiles.
-PixelRegion part_of(const PixelRegion& region, std::uint32_t index, std::uint32_t count);
 
 }  // namespace scenefile

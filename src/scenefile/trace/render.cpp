@@ -19,29 +19,6 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Reports progress, and saves the state when it is due.
-class SavingProgress {
- public:
-  SavingProgress(const Progress& progress, const Checkpoints& checkpoints,
-                 const PictureState& picture)
-      : progress_(progress), checkpoints_(checkpoints), picture_(picture) {}
-
-  bool operator()(double done) {
-    const bool go_on = !progress_ || progress_(done);
-    if (!go_on || seconds_since(saved_) >= checkpoints_.interval_seconds) {
-      checkpoints_.save(encode_state(picture_));
-      saved_ = Clock::now();
-    }
-    return go_on;
-  }
-
- private:
-  const Progress& progress_;
-  const Checkpoints& checkpoints_;
-  const PictureState& picture_;
-  Clock::time_point saved_ = Clock::now();
-};
-
 void put_picture(PictureState state, RenderResult& result) {
   Resolved resolved = resolve(std::move(state));
   result.image = std::move(resolved.image);
@@ -52,19 +29,15 @@ void put_picture(PictureState state, RenderResult& result) {
 void render_passes(const Tracer& tracer, const RenderControl& control, PictureState& state,
                    RenderResult& result) {
   PreviewPicture shown(control.preview, state);
-  const Progress saving =
-      control.checkpoints.save
-          ? Progress(SavingProgress(control.progress, control.checkpoints, state))
-          : control.progress;
   const Progress showing = [&](double done) {
     shown.show_in_time();
-    return !saving || saving(done);
+    return !control.progress || control.progress(done);
   };
-  if (shown.wanted() && state.pass == 0) {
+  if (shown.wanted()) {
     shown.start(tracer);
   }
   while (!complete(state) && result.status == RenderStatus::complete) {
-    result.status = render_pass(tracer, state, shown.wanted() ? showing : saving, &result.stats);
+    result.status = render_pass(tracer, state, shown.wanted() ? showing : control.progress, &result.stats);
     if (shown.wanted()) {
       shown.update();
     }
@@ -86,14 +59,11 @@ RenderResult render(const RenderScene& scene, const Assets& assets, const Render
   result.status = traced.status();
   const Clock::time_point start = Clock::now();
   PictureState state = make_state(scene, options, std::move(control.canvas));
-  if (!control.checkpoints.resume.empty() && !decode_state(control.checkpoints.resume, state)) {
-    result.status = RenderStatus::not_resumed;
-  }
   if (result.status == RenderStatus::complete) {
     render_passes(Tracer(traced, scene, options), control, state, result);
   }
   put_picture(std::move(state), result);
-  if (control.preview.show && result.status != RenderStatus::not_resumed) {
+  if (control.preview.show) {
     control.preview.show(result.image);
   }
   result.stats.trace_seconds = seconds_since(start);

@@ -27,7 +27,6 @@ enum class RenderStatus : std::uint8_t {
   cancelled,      ///< by the progress function; the image is partial
   limit_reached,  ///< instances are nested deeper than the tracer supports
   failed,         ///< the acceleration structure could not be built (out of memory)
-  not_resumed,    ///< Checkpoints::resume does not fit the picture; nothing was done
 };
 
 struct RenderResult {
@@ -40,17 +39,6 @@ struct RenderResult {
 /// Called occasionally, by one thread at a time, with the finished fraction of the picture in [0,
 /// 1]. Returns false to cancel.
 using Progress = std::function<bool(double done)>;
-
-/// For renders that may be interrupted.
-struct Checkpoints {
-  /// A state passed to `save` before; empty: start from the beginning. It must be of the same
-  /// scene, assets, options and build; this is not checked here.
-  std::string resume;
-  /// Called like Progress, with the state of the work, whenever `interval_seconds` have passed, and
-  /// when Progress cancels.
-  std::function<void(const std::string& state)> save;
-  double interval_seconds = 4;
-};
 
 /// Intermediate pictures for display.
 struct Preview {
@@ -65,7 +53,6 @@ class TraceScene;
 /// Optional arguments of render().
 struct RenderControl {
   Progress progress = {};
-  Checkpoints checkpoints = {};
   Preview preview = {};
   /// A black image to draw into, used if it has the right size; for callers with cheaper memory
   /// than the allocator's (io/memory.h).
@@ -76,8 +63,7 @@ struct RenderControl {
 };
 
 /// Renders the scene. The picture only depends on scene, assets and options: the result is the same
-/// for any number of threads, resumed or not. Statistics are those of this call. `assets` must be
-/// those of this scene. For more control over the process, see picture_state.h.
+/// for any number of threads. `assets` must be those of this scene. For more control over the process, see picture_state.h.
 RenderResult render(const RenderScene& scene, const Assets& assets, const RenderOptions& options,
                     RenderControl control = {});
 

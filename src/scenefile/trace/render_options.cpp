@@ -1,8 +1,10 @@
 #include "scenefile/trace/render_options.h"
 
+#include "scenefile/trace/layers.h"
 #include "scenefile/trace/visit_options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -29,9 +31,7 @@ class PictureKey {
  private:
   template <typename T>
   void add(const T& value) {
-    if constexpr (std::is_enum_v<T>) {
-      text += fmt::format("{}={} ", prefix_, static_cast<int>(value));
-    } else if constexpr (std::is_arithmetic_v<T>) {
+    if constexpr (std::is_arithmetic_v<T>) {
       text += fmt::format("{}={} ", prefix_, value);
     } else {
       prefix_ += '.';
@@ -46,13 +46,18 @@ class PictureKey {
       text += fmt::format("{}=none ", prefix_);
     }
   }
-  template <typename T>
-  void add(const std::vector<T>& values) {
-    text += fmt::format("{}={} ", prefix_, values.size());
-    for (const T& value : values) {
-      add(value);
+  void add(Profile profile) { add(profile_word(profile)); }
+  void add(Mode mode) { add(mode_word(mode)); }
+  void add(Lobe lobe) { add(lobe_word(lobe)); }
+  void add(const std::vector<Layer>& layers) {
+    std::vector<std::string> names;
+    for (const Layer& layer : layers) {
+      names.push_back(layer_name(layer));
     }
+    const std::string list = fmt::format("{}", fmt::join(names, ","));
+    add(list.empty() ? std::string_view("none") : std::string_view(list));
   }
+  void add(std::string_view word) { text += fmt::format("{}={} ", prefix_, word); }
 
   std::string prefix_;
 };

@@ -1,6 +1,6 @@
 #pragma once
 // The fields of RenderOptions with their names: the only list, used for JSON output, the key of
-// resumed work, and the checks of the program. A field that is missing here is a compile error,
+// existing work, and the checks of the program. A field that is missing here is a compile error,
 // because a structured binding names every field.
 
 #include "scenefile/trace/render_options.h"
@@ -116,13 +116,6 @@ constexpr void visit_options(T& features, Visit&& visit) {
   visit(OptionField{"texture-filter"}, texture_filter);
   visit(OptionField{"super-sample"}, super_sample);
   visit(OptionField{"depthoffield", tracer_only}, depthoffield);
-}
-
-template <OptionsOf<Layer> T, typename Visit>
-constexpr void visit_options(T& layer, Visit&& visit) {
-  auto& [kind, light] = layer;
-  visit(OptionField{"kind"}, kind);
-  visit(OptionField{"light"}, light);
 }
 
 template <OptionsOf<PixelRegion> T, typename Visit>

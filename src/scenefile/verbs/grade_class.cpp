@@ -214,74 +214,64 @@ struct ClassGrader::State {
   std::size_t students() const { return students_.size(); }
   const std::string& student(std::size_t index) const { return students_[index].name; }
   std::size_t pictures() const { return students_.size() * references_.size(); }
-  std::uint64_t references() const { return fingerprint_.value(); }
-
-  std::uint64_t student_names() const {
-    Hash hash;
-    for (const Student& student : students_) {
-      hash.add(student.name);
+  std::string key_of(std::size_t index) const {
+    const Student& student = students_[index];
+    Hash name;
+    name.add(student.name);
+    Hash pictures;
+    const std::vector<Result<std::string>> archived = read_archived_of(student);
+    for (std::size_t i = 0; i < references_.size(); ++i) {
+      // The names of files appear in results.
+      const FoundFile* const file = picture_of(student, i);
+      pictures.add(file == nullptr ? std::string() : path_in_class(*file));
+      if (file != nullptr && !file->entries.empty()) {
+        pictures.add(archived[i] ? *archived[i] : archived[i].error().text);
+      } else if (file != nullptr && !is_link(file->path)) {
+        add_number(pictures, file_fingerprint(file->path));
+      }
+      for (const std::string& note : student.notes[i]) {
+        pictures.add(note);
+      }
     }
-    return hash.value();
+    for (const std::string& path : student.unmatched) {
+      pictures.add(path);
+    }
+    return fmt::format("references={:x} student={:x} pictures={:x} thumbnails={}",
+                       fingerprint_.value(), name.value(), pictures.value(), thumbnail_width_);
   }
 
-  std::uint64_t submissions(const StudentRange& range) const {
-    Hash hash;
-    const auto add_ignored = [&](const std::vector<IgnoredFile>& files) {
-      for (const IgnoredFile& file : files) {
-        hash.add(file.path);
-        hash.add(file.reason);
-      }
-    };
-    add_ignored(ignored_of_nobody(range));
-    for (std::size_t s = range.begin; s < range.end; ++s) {
-      const Student& student = students_[s];
-      const std::vector<Result<std::string>> archived = read_archived_of(student);
-      for (std::size_t i = 0; i < references_.size(); ++i) {
-        // The names of files appear in results.
-        const FoundFile* const file = picture_of(student, i);
-        hash.add(file == nullptr ? std::string() : path_in_class(*file));
-        if (file != nullptr && !file->entries.empty()) {
-          hash.add(archived[i] ? *archived[i] : archived[i].error().text);
-        } else if (file != nullptr && !is_link(file->path)) {
-          add_number(hash, file_fingerprint(file->path));
-        }
-      }
-      for (const std::string& path : student.unmatched) {
-        hash.add(path);
-      }
-      add_ignored(student.ignored);
-    }
-    return hash.value();
-  }
-
-  Result<Gradebook> run(const StudentRange& range, const std::function<bool(double)>& go_on) {
-    Gradebook book;
-    book.name = name_of_class(request_.handed_in);
-    const auto all = static_cast<double>((range.end - range.begin) * references_.size());
+  Result<StudentResult> run(std::size_t index, const std::function<bool(double)>& go_on) {
+    const Student& student = students_[index];
+    const auto all = static_cast<double>(references_.size());
     double done = 0;
     bool stopped = false;
     const auto tell = [&](double part) {
       stopped = stopped || (go_on && !go_on((done + part) / all));
       return !stopped;
     };
-    book.ignored = ignored_of_nobody(range);
-    for (std::size_t s = range.begin; s < range.end; ++s) {
-      const Student& student = students_[s];
-      book.ignored.insert(book.ignored.end(), student.ignored.begin(), student.ignored.end());
-      StudentResult& result = book.students.emplace_back();
-      result.name = student.name;
-      result.unmatched = student.unmatched;
-      std::vector<Result<std::string>> archived = read_archived_of(student);
-      for (std::size_t i = 0; i < references_.size(); ++i) {
-        result.pictures.push_back(
-            grade(references_[i], picture_of(student, i), std::move(archived[i]), tell));
-        std::vector<std::string>& notes = result.pictures.back().notes;
-        notes.insert(notes.end(), student.notes[i].begin(), student.notes[i].end());
-        ++done;
-        if (!tell(0)) {
-          return Error{"interrupted", ErrorKind::cancelled};
-        }
+    StudentResult result;
+    result.name = student.name;
+    result.unmatched = student.unmatched;
+    std::vector<Result<std::string>> archived = read_archived_of(student);
+    for (std::size_t i = 0; i < references_.size(); ++i) {
+      result.pictures.push_back(
+          grade(references_[i], picture_of(student, i), std::move(archived[i]), tell));
+      std::vector<std::string>& notes = result.pictures.back().notes;
+      notes.insert(notes.end(), student.notes[i].begin(), student.notes[i].end());
+      ++done;
+      if (!tell(0)) {
+        return Error{"interrupted", ErrorKind::cancelled};
       }
+    }
+    return result;
+  }
+
+  Gradebook empty_book() const {
+    Gradebook book;
+    book.name = name_of_class(request_.handed_in);
+    book.ignored = ignored_;
+    for (const Student& student : students_) {
+      book.ignored.insert(book.ignored.end(), student.ignored.begin(), student.ignored.end());
     }
     return book;
   }
@@ -323,11 +313,6 @@ struct ClassGrader::State {
     return static_cast<std::size_t>(std::count_if(student.of_references.begin(),
                                                   student.of_references.end(),
                                                   [](int picture) { return picture >= 0; }));
-  }
-
-  // The files of unknown students are those of the first part.
-  std::vector<IgnoredFile> ignored_of_nobody(const StudentRange& range) const {
-    return range.begin == 0 ? ignored_ : std::vector<IgnoredFile>();
   }
 
   // Null if there is none.
@@ -652,21 +637,17 @@ std::size_t ClassGrader::pictures() const {
   return state_->pictures();
 }
 
-std::uint64_t ClassGrader::student_names() const {
-  return state_->student_names();
+std::string ClassGrader::key_of(std::size_t student) const {
+  return state_->key_of(student);
 }
 
-std::uint64_t ClassGrader::references() const {
-  return state_->references();
+Result<StudentResult> ClassGrader::grade(std::size_t student,
+                                         const std::function<bool(double done)>& go_on) {
+  return state_->run(student, go_on);
 }
 
-std::uint64_t ClassGrader::submissions(const StudentRange& range) const {
-  return state_->submissions(range);
-}
-
-Result<Gradebook> ClassGrader::grade(const StudentRange& range,
-                                     const std::function<bool(double done)>& go_on) {
-  return state_->run(range, go_on);
+Gradebook ClassGrader::empty_book() const {
+  return state_->empty_book();
 }
 
 Result<Gradebook> grade_class(const GradeRequest& request, const LoadShownScene& load_scene,
@@ -676,10 +657,18 @@ Result<Gradebook> grade_class(const GradeRequest& request, const LoadShownScene&
   if (!grader) {
     return grader.error();
   }
-  Result<Gradebook> book = grader->grade({0, grader->students()}, go_on);
-  if (book) {
-    find_identical_files(*book);
+  Gradebook book = grader->empty_book();
+  for (std::size_t s = 0; s < grader->students(); ++s) {
+    Result<StudentResult> student = grader->grade(s, [&](double done) {
+      return !go_on ||
+             go_on((static_cast<double>(s) + done) / static_cast<double>(grader->students()));
+    });
+    if (!student) {
+      return student.error();
+    }
+    book.students.push_back(*std::move(student));
   }
+  find_identical_files(book);
   return book;
 }
 

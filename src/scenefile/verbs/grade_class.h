@@ -2,7 +2,6 @@
 // Grades the pictures that a class submitted: from folders to a gradebook.
 
 #include "scenefile/base/result.h"
-#include "scenefile/grade/grade_part.h"
 #include "scenefile/grade/gradebook.h"
 #include "scenefile/verbs/compare_pictures.h"
 #include "scenefile/verbs/grade_files.h"
@@ -33,8 +32,8 @@ inline constexpr std::size_t many_pictures = 200;
 /// Loads the scene of a reference, and reports its findings.
 using LoadShownScene = std::function<LoadedScene(const std::string& path)>;
 
-/// A class whose references are loaded and whose pictures are found, ready to be graded as a whole
-/// or in parts.
+/// A class whose references are loaded and whose pictures are found, ready to be graded, one student
+/// at a time.
 class ClassGrader {
  public:
   /// Fails like grade_class(). `request` must outlive the result.
@@ -49,15 +48,16 @@ class ClassGrader {
   /// The number of pictures expected from the whole class.
   std::size_t pictures() const;
 
-  /// Fingerprints (base/hash.h) of what the results depend on, except for the options: the names of
-  /// all students; the references with their scenes and assets; the pictures of some students.
-  std::uint64_t student_names() const;
-  std::uint64_t references() const;
-  std::uint64_t submissions(const StudentRange& range) const;
+  /// What the results of a student depend on, except for the options: words of a key (io/item.h).
+  std::string key_of(std::size_t student) const;
 
-  /// The results of these students do not depend on which others are graded.
-  Result<Gradebook> grade(const StudentRange& range,
-                          const std::function<bool(double done)>& go_on = {});
+  /// The results do not depend on which other students are graded. Fails only if `go_on` returns
+  /// false (ErrorKind::cancelled).
+  Result<StudentResult> grade(std::size_t student,
+                              const std::function<bool(double done)>& go_on = {});
+
+  /// The class without results: its name, and the files that are ignored.
+  Gradebook empty_book() const;
 
  private:
   struct State;

@@ -8,8 +8,6 @@ std::optional<Error> render_error(RenderStatus status) {
       return std::nullopt;
     case RenderStatus::cancelled:
       return Error{"interrupted", ErrorKind::cancelled};
-    case RenderStatus::not_resumed:
-      return Error{"the checkpoint belongs to another picture", ErrorKind::input};
     case RenderStatus::limit_reached:
       return Error{"templates are nested deeper than can be traced", ErrorKind::limit};
     case RenderStatus::failed:

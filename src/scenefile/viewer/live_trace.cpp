@@ -26,7 +26,6 @@ std::string failure_of(RenderStatus status) {
       return "out of memory while building the acceleration structure";
     case RenderStatus::complete:
     case RenderStatus::cancelled:
-    case RenderStatus::not_resumed:
       break;
   }
   return {};

@@ -53,7 +53,6 @@ Texture trace(const OpenedScene& scene, const std::function<bool()>& go_on) {
       return quantize(newest, Rounding::nearest);
     case RenderStatus::limit_reached:
     case RenderStatus::failed:
-    case RenderStatus::not_resumed:
       break;
   }
   return {};

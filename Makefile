@@ -192,7 +192,7 @@ fuzz: ## SECONDS=60: run each fuzz target for this long
 	@tests/fuzz/run build/fuzz $(or $(SECONDS),60)
 
 .PHONY: faults
-faults: ## make every call of every command fail once; kill 50 renders, damage 200 checkpoints
+faults: ## make every call of every command fail once; kill 50 renders, damage 200 bands
 	@scripts/install-deps core tests
 	@$(MAKE) $(QUIET) configure-tests
 	@cmake --build $(PRESET) --target scenefile scenefile_fail_call
@@ -200,7 +200,7 @@ faults: ## make every call of every command fail once; kill 50 renders, damage 2
 	@tests/faults/resume.py $(BUILD)/scenefile scenes/showcase.xml --kills 50 --damages 200
 
 .PHONY: partitions slurm-test
-partitions: ## SCENES="...": draw 200 pictures in random parts, kill 50 workers and merges; all must merge to the same bytes
+partitions: ## SCENES="...": draw 200 pictures in stores by random workers, kill 50 of them; all must have the bytes of one process
 	@$(MAKE) $(QUIET) build
 	@tests/many-machines/partitions.py $(BUILD)/scenefile $(or $(SCENES),$(wildcard scenes/*.xml)) --partitions $(or $(PARTITIONS),200) --kills $(or $(KILLS),50)
 slurm-test: ## draw on a Slurm cluster of two nodes on this machine, and kill one of them (needs root)

@@ -89,9 +89,7 @@ class Assembler {
   ImageFormat format() const {
     return image_format_of(options_.output).value_or(ImageFormat::png8);
   }
-  bool tones() const {
-    return options_.render.mode == Mode::path && format() == ImageFormat::png8;
-  }
+  bool tones() const { return options_.render.mode == Mode::path && format() == ImageFormat::png8; }
   int height() const { return store_.picture().rows(); }
 
   // The picture for `index` 0, otherwise a layer.
@@ -169,7 +167,8 @@ class Assembler {
         ranges_[i] = joined(ranges_[i], range_of(rows_[i].values));
       }
     }
-    const std::size_t count = rows_[layer].channels.size() * static_cast<std::size_t>(store_.width());
+    const std::size_t count =
+        rows_[layer].channels.size() * static_cast<std::size_t>(store_.width());
     return std::span(rows_[layer].values)
         .subspan(count * static_cast<std::size_t>(y - decoded_.first), count);
   }
@@ -206,7 +205,7 @@ class Assembler {
 
   const Options& options_;
   BandStore& store_;
-  std::vector<ImageLayer> rows_;    // of the band that was decoded last
+  std::vector<ImageLayer> rows_;  // of the band that was decoded last
   RowRange decoded_;
   std::vector<ValueRange> ranges_;  // of the layers
   double white_ = 0;

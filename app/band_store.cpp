@@ -29,9 +29,8 @@ bool begins_like_exr(std::string_view bytes) {
 
 Outcome folder_failure(const std::string& folder, std::string_view what,
                        const std::error_code& error) {
-  return {ExitCode::environment,
-          fmt::format("{}: {} the folder of --store: {}", escaped(folder, 400), what,
-                      error.message())};
+  return {ExitCode::environment, fmt::format("{}: {} the folder of --store: {}",
+                                             escaped(folder, 400), what, error.message())};
 }
 
 }  // namespace
@@ -143,8 +142,8 @@ Outcome BandStore::write(const RowRange& band, RenderResult result) {
   std::vector<ImageLayer> layers{{"", {"R", "G", "B"}, false, std::move(result.image.rgb)}};
   layers.insert(layers.end(), std::make_move_iterator(result.layers.begin()),
                 std::make_move_iterator(result.layers.end()));
-  Result<std::string> bytes = encode_layers(
-      width_, band.rows(), layers, {item_text(key_of(band)), band.first, picture_.rows()});
+  Result<std::string> bytes = encode_layers(width_, band.rows(), layers,
+                                            {item_text(key_of(band)), band.first, picture_.rows()});
   if (!bytes) {
     return {ExitCode::environment, "cannot encode a band: " + bytes.error().text};
   }

@@ -1,6 +1,6 @@
 // The command frames: numbered pictures of one scene from a moving camera. The acceleration
-// structure is built once. Each file of a frame contains what it was drawn from: an existing frame is
-// skipped. A frame of another scene, or any other file, is only replaced with --overwrite.
+// structure is built once. Each file of a frame contains what it was drawn from: an existing frame
+// is skipped. A frame of another scene, or any other file, is only replaced with --overwrite.
 
 #include "app/carry_files.h"
 #include "app/command.h"
@@ -292,8 +292,9 @@ class Frames {
     const RenderResult result =
         render(ready, scene_.assets, options_.render, {.progress = progress, .traced = &*traced_});
     const Outcome outcome = outcome_of(result.status, context_);
-    return outcome.error.empty() ? write_pictures(options_of(index), result, context_, key_of(index))
-                                 : outcome;
+    return outcome.error.empty()
+               ? write_pictures(options_of(index), result, context_, key_of(index))
+               : outcome;
   }
 
   Outcome paint(std::size_t index) {

@@ -49,12 +49,12 @@ const std::vector<Heading>& headings() {
       {"Input", {"--compat", "--asset-root", "--allow-outside", "--allow-missing", "--no-assets"}},
       {"Findings", {"--strict", "--deny", "--allow"}},
       {"Limits", {"--threads", "--limit", "--max-memory", "--timeout"}},
-      {"Output", {"--output",       "--to",        "--store", "--part",       "--missing",    "--write-scenes",
-                  "--video",        "--overwrite", "--heatmap",
-                  "--sheet",        "--report",    "--pages",      "--title",      "--csv",
-                  "--csv-students", "--junit",     "--gradescope", "--check",      "--files",
-                  "--tree",         "--man",       "--completion", "--json",       "--sarif",
-                  "--markdown",     "--quiet",     "--help"}},
+      {"Output", {"--output",       "--to",         "--store",     "--part",    "--missing",
+                  "--write-scenes", "--video",      "--overwrite", "--heatmap", "--sheet",
+                  "--report",       "--pages",      "--title",     "--csv",     "--csv-students",
+                  "--junit",        "--gradescope", "--check",     "--files",   "--tree",
+                  "--man",          "--completion", "--json",      "--sarif",   "--markdown",
+                  "--quiet",        "--help"}},
       {"Other", {}},
   };
   return all;

@@ -34,9 +34,8 @@ std::string phrase_of(const KeyDifference& difference) {
        {"student", "for another student"},
        {"references", "with other references or scenes"},
        {"pictures", "from other pictures"}}};
-  const auto phrase = std::find_if(phrases.begin(), phrases.end(), [&](const auto& row) {
-    return row.first == difference.name;
-  });
+  const auto phrase = std::find_if(phrases.begin(), phrases.end(),
+                                   [&](const auto& row) { return row.first == difference.name; });
   if (phrase != phrases.end()) {
     return std::string(phrase->second);
   }

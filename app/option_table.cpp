@@ -591,13 +591,13 @@ constexpr std::array option_rows{
     OptionRow{"--title", "", "TEXT",
               "The title of the report and the pages (default: the name of the class's folder).",
               for_grade, set_name<&Options::title>},
-    OptionRow{"--csv", "", "OUT", "Write the results as CSV, for spreadsheets.",
-              for_grade, set_name<&Options::csv>},
+    OptionRow{"--csv", "", "OUT", "Write the results as CSV, for spreadsheets.", for_grade,
+              set_name<&Options::csv>},
     OptionRow{"--gradescope", "", "OUT",
-              "Write the results of one student in Gradescope's format, results.json.",
-              for_grade, set_name<&Options::gradescope>},
-    OptionRow{"--csv-students", "", "OUT", "Write the score of each student as CSV.",
-              for_grade, set_name<&Options::csv_students>},
+              "Write the results of one student in Gradescope's format, results.json.", for_grade,
+              set_name<&Options::gradescope>},
+    OptionRow{"--csv-students", "", "OUT", "Write the score of each student as CSV.", for_grade,
+              set_name<&Options::csv_students>},
     OptionRow{"--junit", "", "OUT", "Write the results as JUnit XML.", for_grade,
               set_name<&Options::junit>},
     OptionRow{"--min-psnr", "", "DB",
@@ -771,10 +771,9 @@ constexpr std::array option_rows{
     OptionRow{"--quiet", "-q", "", "Print only errors.",
               for_tracing | for_check | for_convert | for_pictures | for_format,
               set_flag<&Options::quiet>},
-    OptionRow{
-        "--help", "-h", "", "Print this help.",
-        for_all_readers | for_pictures | for_format | for_help | for_version | for_view,
-        set_flag<&Options::help>},
+    OptionRow{"--help", "-h", "", "Print this help.",
+              for_all_readers | for_pictures | for_format | for_help | for_version | for_view,
+              set_flag<&Options::help>},
 };
 
 }  // namespace

@@ -272,8 +272,9 @@ std::string check_store(const Options& options) {
     return fmt::format("{} needs the folder of the work: --store DIR",
                        options.part ? "--part" : "--missing");
   }
-  return options.part && options.missing ? "--part makes a share, --missing lists shares: choose one"
-                                         : "";
+  return options.part && options.missing
+             ? "--part makes a share, --missing lists shares: choose one"
+             : "";
 }
 
 // Checks of render that need more than one option.

@@ -64,14 +64,14 @@ struct Options {
   std::string output;
   bool any_extension = false;  ///< `output` is a PNG if its extension is not known
   Engine engine = Engine::trace;
-  bool realtime = false;           ///< --profile realtime; `engine` is then gl
-  RealtimeOptions realtime_panel;  ///< for `realtime`
-  RenderOptions render;            ///< complete, with the profile's defaults
-  Tone tone = Tone::course;        ///< mode path: of PNG files
-  double exposure = 0;             ///< mode path: of PNG files, in stops
-  double seconds = 0;              ///< mode path: time for samples; 0: no limit
-  std::string store;               ///< a folder for the work done so far; empty: none
-  std::optional<PartPlace> part;   ///< only this share of the work of the store
+  bool realtime = false;                 ///< --profile realtime; `engine` is then gl
+  RealtimeOptions realtime_panel;        ///< for `realtime`
+  RenderOptions render;                  ///< complete, with the profile's defaults
+  Tone tone = Tone::course;              ///< mode path: of PNG files
+  double exposure = 0;                   ///< mode path: of PNG files, in stops
+  double seconds = 0;                    ///< mode path: time for samples; 0: no limit
+  std::string store;                     ///< a folder for the work done so far; empty: none
+  std::optional<PartPlace> part;         ///< only this share of the work of the store
   std::optional<std::uint32_t> missing;  ///< list the missing of this many shares
 
   std::optional<int> turntable;     ///< frames: number of frames of a full turn

@@ -141,8 +141,8 @@ std::vector<RowRange> bands_to_draw(const Options& options, const RenderScene& s
   return bands;
 }
 
-// Draws these bands into the store. A signal ends it; finished bands are kept. With several threads,
-// a band is packed and written while the next one is drawn.
+// Draws these bands into the store. A signal ends it; finished bands are kept. With several
+// threads, a band is packed and written while the next one is drawn.
 Outcome draw_bands(const Options& options, LoadedScene& scene, const std::vector<RowRange>& bands,
                    BandStore& store, RenderReport& report, Context& context) {
   ProgressBar bar(!options.quiet && !options.json && wants_progress());
@@ -183,7 +183,9 @@ Outcome draw_bands(const Options& options, LoadedScene& scene, const std::vector
           result.status == RenderStatus::cancelled ? "; the same command continues" : "";
       return outcome;
     }
-    writing = std::async(options.render.threads == 1 ? std::launch::deferred : std::launch::async,
+    // Deferred if there is no other thread.
+    writing = std::async(options.render.threads == 1 ? std::launch::deferred
+                                                     : std::launch::async | std::launch::deferred,
                          [&store, band, made = std::move(result)]() mutable {
                            return store.write(band, std::move(made));
                          });
@@ -214,8 +216,7 @@ Outcome draw_with_store(const Options& options, LoadedScene& scene, RenderReport
   const RowRange share = options.part
                              ? share_of(store.picture(), options.part->index, options.part->count)
                              : store.picture();
-  const std::vector<RowRange> bands =
-      bands_to_draw(options, scene.ready.scene, store, share);
+  const std::vector<RowRange> bands = bands_to_draw(options, scene.ready.scene, store, share);
   outcome = store.claim(bands, context);
   if (outcome.status != ExitCode::fine) {
     return outcome;

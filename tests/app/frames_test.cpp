@@ -146,7 +146,9 @@ TEST_F(FramesTest, NoOtherPictureIsReplaced) {
   refused({}, "f2.png: the frame was drawn from another scene, or the scene was changed; ");
   refused({"--samples", "3"}, "the scene was changed, and with samples = 16, not 3; --overwrite");
   folder.write("f2.png", "my picture");
-  EXPECT_THAT(frames(words).err, HasSubstr("f2.png: the file exists, and is not a frame; --overwrite replaces it, or choose"));
+  EXPECT_THAT(
+      frames(words).err,
+      HasSubstr("f2.png: the file exists, and is not a frame; --overwrite replaces it, or choose"));
   EXPECT_EQ(frames({"--turntable", "3", "-o", "f%d.png", "--range", "1:1"}).status, 0);
   folder.write("mine1.png", "mine");
   const ProgramRun mine = frames({"--turntable", "3", "-o", "mine%d.png"});
@@ -210,7 +212,8 @@ TEST_F(FramesTest, OpenGlDrawsTheRendersOfTheirScenes) {
     EXPECT_TRUE(shows(folder.read("f" + number + ".png"), folder.read("one.png"))) << number;
   }
   EXPECT_FALSE(folder.read("f1.png") == folder.read("f2.png"));
-  EXPECT_THAT(frames({"--turntable", "3", "-o", "f%d.png"}).err, HasSubstr("with engine = gl, not trace"));
+  EXPECT_THAT(frames({"--turntable", "3", "-o", "f%d.png"}).err,
+              HasSubstr("with engine = gl, not trace"));
   const ProgramRun again =
       frames({"--turntable", "3", "-o", "f%d.png", "--engine", "gl", "--json"});
   EXPECT_EQ(parse_json(again.out)["skipped"].GetInt(), 3);

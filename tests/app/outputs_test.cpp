@@ -219,15 +219,14 @@ TEST_F(Outputs, ReplaceNoInput) {
 
 TEST_F(Outputs, ReplaceNoOtherOutput) {
   fs::create_directory(folder.path("web"));
-  for (const Words& words :
-       {render + Words{"-o", "bands/00000-00006.exr", "--store", "bands"},
-        render + Words{"-o", "new/00000-00006.exr", "--store", "./new"},
-        frames + Words{"-o", "v%d.png", "--video", "v1.png"},
-        frames + Words{"--write-scenes", "v%d.xml", "--video", "v2.xml"},
-        diff + Words{"--heatmap", "x.png", "--sheet", "image/../x.png"},
-        grade + Words{"--csv", "x", "--junit", "x"},
-        grade + Words{"--store", "graded", "--csv", "graded/ann.json"},
-        grade + Words{"--pages", "web", "--report", "web/ann.html"}}) {
+  for (const Words& words : {render + Words{"-o", "bands/00000-00006.exr", "--store", "bands"},
+                             render + Words{"-o", "web/00000-00006.exr", "--store", "./web"},
+                             frames + Words{"-o", "v%d.png", "--video", "v1.png"},
+                             frames + Words{"--write-scenes", "v%d.xml", "--video", "v2.xml"},
+                             diff + Words{"--heatmap", "x.png", "--sheet", "image/../x.png"},
+                             grade + Words{"--csv", "x", "--junit", "x"},
+                             grade + Words{"--store", "graded", "--csv", "graded/ann.json"},
+                             grade + Words{"--pages", "web", "--report", "web/ann.html"}}) {
     const ProgramRun refused = run(words);
     EXPECT_EQ(refused.status, 2) << refused.err;
     EXPECT_THAT(refused.err, HasSubstr(" would replace the "));

@@ -111,8 +111,8 @@ TEST_F(PathCommand, RefusesWhatItDoesNotHave) {
   const Words path{"--mode", "path"};
   for (const Words& more :
        {Words{"--fresnel"}, Words{"--denoise"}, Words{"--aov", "depth"},
-        Words{"--min-samples", "2"}, Words{"--features", "none"},
-        Words{"--engine", "gl"}, Words{"--profile", "course"}, Words{"--profile", "realtime"}}) {
+        Words{"--min-samples", "2"}, Words{"--features", "none"}, Words{"--engine", "gl"},
+        Words{"--profile", "course"}, Words{"--profile", "realtime"}}) {
     const ProgramRun run = render("a.png", path + more);
     EXPECT_EQ(run.status, 2) << more[0] << run.err;
     EXPECT_THAT(run.err, HasSubstr("--mode")) << more[0];

@@ -5,9 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace scenefile {
@@ -17,16 +19,10 @@ using namespace testing_support;
 using ::testing::AnyOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 namespace fs = std::filesystem;
 
 struct Store : ::testing::Test {
-  Store() {
-    if (SCENEFILE_OPENEXR == 0) {
-      return;
-    }
-    folder.write("scene.xml", good_scene);
-  }
+  Store() { folder.write("scene.xml", good_scene); }
   void SetUp() override {
     if (SCENEFILE_OPENEXR == 0) {
       GTEST_SKIP() << "this build has no OpenEXR";
@@ -161,7 +157,8 @@ TEST_F(Store, AForeignStoreIsNotTouched) {
   const std::string bytes = folder.read(name);
   fs::remove(folder.path("bands/" + bands().back()));
   const auto refused = [&](const Words& more, const std::string& why) {
-    for (const Words& words : {Words{"-o", "out.png"}, Words{"--part", "2/2"}, Words{"--missing", "2"}}) {
+    for (const Words& words :
+         {Words{"-o", "out.png"}, Words{"--part", "2/2"}, Words{"--missing", "2"}}) {
       const ProgramRun run = store(words + more);
       EXPECT_EQ(run.status, 1);
       EXPECT_EQ(run.out, "");
@@ -189,14 +186,17 @@ TEST_F(Store, AForeignStoreIsNotTouched) {
 }
 
 TEST_F(Store, DamagedBandsAreDrawnAgain) {
-  draw_shares(1);
+  draw_shares(2);
   ASSERT_EQ(render({"-o", "whole.png"}).status, 0);
   const std::string name = "bands/" + bands().back();
   const std::string bytes = folder.read(name);
-  std::vector<std::string> all{"", bytes.substr(0, 2), bytes.substr(0, 300),
-                               bytes.substr(0, bytes.size() - 1), bytes + "x",
+  std::vector<std::string> all{"",
+                               bytes.substr(0, 2),
+                               bytes.substr(0, 300),
+                               bytes.substr(0, bytes.size() - 1),
+                               bytes + "x",
                                folder.read("bands/" + bands().front())};
-  for (std::size_t i = 0; i < bytes.size(); i += bytes.size() / 20) {
+  for (std::size_t i = 0; i < bytes.size(); i += bytes.size() / 9) {
     all.push_back(bytes);
     all.back()[i] ^= 4;
   }
@@ -206,9 +206,6 @@ TEST_F(Store, DamagedBandsAreDrawnAgain) {
     EXPECT_EQ(store({"-o", "out.png"}).status, 0);
     EXPECT_TRUE(folder.read(name) == bytes);
     EXPECT_TRUE(folder.read("out.png") == folder.read("whole.png"));
-    if (damaged.size() == bytes.size()) {
-      folder.write("copy.exr", damaged);
-    }
   }
 }
 
@@ -222,8 +219,9 @@ TEST_F(Store, OtherFilesInTheFolderStay) {
 }
 
 TEST_F(Store, AnInterruptedRenderContinues) {
-  const Words words{"render",    "scene.xml", "--size",    "400x300",  "--samples", "64",
-                    "--threads", "1",         "--store", "bands",    "-o", "out.png", "--min-samples", "64"};
+  const Words words{"render",        "scene.xml", "--size",  "400x300", "--samples", "64",
+                    "--threads",     "1",         "--store", "bands",   "-o",        "out.png",
+                    "--min-samples", "64"};
   const ProgramRun cut =
       run_program(words, {.folder = folder.path(), .signal = SIGTERM, .delay_ms = 300});
   ASSERT_THAT(cut.status, AnyOf(143, 0)) << cut.err;

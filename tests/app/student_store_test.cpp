@@ -169,10 +169,12 @@ TEST_F(StudentStore, ResultsAreKeptUntilTheirPicturesChange) {
   const Words store{"--store", "results"};
   refused(share(1, 2, {"--min-psnr", "20"}), "it was graded with min_psnr = its default, not 20; ");
   refused(share(1, 2, {"--features", "none"}), "it was graded with features.shadows = true, not");
-  refused(grade(store + Words{"--csv", "r.csv", "--min-ssim", "0.5"}), "with min_ssim = its default");
+  refused(grade(store + Words{"--csv", "r.csv", "--min-ssim", "0.5"}),
+          "with min_ssim = its default");
   EXPECT_FALSE(std::filesystem::exists(folder.path("r.csv")));
   submit("anna", "ball", folder.read("wrong.png"));
-  refused(share(1, 2), "results/anna.json: it was graded from other pictures; choose another folder");
+  refused(share(1, 2),
+          "results/anna.json: it was graded from other pictures; choose another folder");
   submit("anna", "ball", folder.read("right.png"));
   folder.write("refs/ball.xml", std::string(good_scene) + "\n");
   refused(share(1, 2), "it was graded with other references or scenes");

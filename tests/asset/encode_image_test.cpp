@@ -162,8 +162,8 @@ TEST(EncodeLayers, NamesHaveALimit) {
 // Other readers find the pixels, and the text where their format has it.
 TEST(EncodeImage, ATextDoesNotChangeThePixels) {
   const Image image = gradient(20, 40);
-  for (const ImageFormat format : {ImageFormat::png8, ImageFormat::png16, ImageFormat::pfm,
-                                   ImageFormat::exr}) {
+  for (const ImageFormat format :
+       {ImageFormat::png8, ImageFormat::png16, ImageFormat::pfm, ImageFormat::exr}) {
     const Result<std::string> bytes =
         encode_image(image, format, Rounding::nearest, {.text = "the text"});
     ASSERT_EQ(error_text(bytes), "");
@@ -189,7 +189,7 @@ std::vector<ImageLayer> rows_of_layers(int width, int first, int end) {
     for (int i = first * width; i < end * width; ++i) {
       for (std::size_t c = 0; c < layer.channels.size(); ++c) {
         const float value = static_cast<float>(i * 31 % 1009) + static_cast<float>(c);
-        layer.values.push_back(layer.whole ? value
+        layer.values.push_back(layer.whole   ? value
                                : i % 97 == 3 ? std::numeric_limits<float>::infinity()
                                              : value / 7 - 3);
       }

@@ -119,9 +119,6 @@ def make_files(folder, program):
     for place in ("references", "pictures", "right"):
         (folder / place).mkdir()
         shutil.copy(folder / "reference.png", folder / place / "chess.png")
-    (folder / "parts").mkdir()
-    for part in (1, 2):
-        run("render", "scene.xml", "-o", f"parts/{part}.part", "--part", f"{part}/2", "--size", "64x48")
     (folder / "cameras.json").write_text('{"views": [{"position": [3, 2, 4], "focus": [0, 0, 0]}, {"time": 4, "position": [4, 2, 3]}]}')
     (folder / "CornellBox.xml").write_text(SCENE_OF_PATH)
     (folder / "box.obj").write_text(BOX)
@@ -129,8 +126,6 @@ def make_files(folder, program):
     for place in ("submissions", "handed-in", "class"):
         (folder / place / "ada").mkdir(parents=True)
         shutil.copy(folder / "mine.png", folder / place / "ada" / "chess.png")
-    (folder / "graded").mkdir()
-    run("grade", "handed-in", "--references", "right", "--part", "1/1", "-o", "graded/1.part")
 
 
 def run_commands(program):

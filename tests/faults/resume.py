@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
-"""Kills renders, and damages checkpoints.
+"""Kills renders, and damages what they stored.
 
     resume.py PROGRAM SCENE [--kills 5] [--damages 20] [--size 160x120] [--samples 256]
 
-Kills a render at random times with SIGKILL until it is done: the picture must equal that of an
-uninterrupted render, and no other file may remain. Truncates and modifies a checkpoint at random
-places: each must be rejected with status 1 and a message, without a picture.
+Kills a render with a store at random times until it is done: the picture must equal that of an uninterrupted render
+without a store, and no other file may remain. Truncates and modifies bands at random places: each must be drawn again, and the
+picture must be the same.
 """
 import argparse
 import os
 import random
+import shutil
 import signal
 import subprocess
 import sys
@@ -30,9 +31,9 @@ chance = random.Random(args.seed)
 failures = []
 
 
-def start(folder, output):
+def start(folder, output, store=True):
     words = [args.program, "render", args.scene, "-o", output, "--size", args.size, "--samples", args.samples,
-             "--checkpoint", "work.checkpoint"]
+             *(["--store", "store", "--threads", "1"] if store else [])]
     return subprocess.Popen(words, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
 
 
@@ -58,49 +59,47 @@ def write(path, data):
 
 
 with tempfile.TemporaryDirectory() as folder:
-    target = os.path.join(folder, "out.png")
-    kept = os.path.join(folder, "work.checkpoint")
+    target, store = os.path.join(folder, "out.png"), os.path.join(folder, "store")
     began = time.monotonic()
-    process = start(folder, "good.png")
+    process = start(folder, "good.png", store=False)
     said = process.communicate()[1]
     if process.returncode != 0:
         sys.exit("the uninterrupted render fails: " + said.decode(errors="replace"))
     seconds = time.monotonic() - began
     good = read(os.path.join(folder, "good.png"))
 
-    # SIGTERM saves the state, SIGKILL leaves the last saved state; both must lead to the same
-    # bytes.
+    # SIGTERM and SIGKILL leave the finished bands.
     killed = 0
     while killed < args.kills:
         for number in (signal.SIGTERM, signal.SIGKILL):
-            killed += cut_short(folder, seconds * chance.uniform(0.1, 0.7), number) == -signal.SIGKILL
+            killed += cut_short(folder, seconds * chance.uniform(0.1, 0.9), number) == -signal.SIGKILL
         if start(folder, "out.png").wait() != 0 or read(target) != good:
             failures.append("the picture after kill %d is another" % killed)
-        left = sorted(os.listdir(folder))
-        if left != ["good.png", "out.png"]:
-            # A temporary file may remain if the kill came while it was written; nothing else.
-            failures += ["left %s" % name for name in left if name not in ("good.png", "out.png") and not name.endswith(".tmp")]
-        for name in os.listdir(folder):
-            if name != "good.png":
-                os.unlink(os.path.join(folder, name))
+        # A temporary file may remain if the kill came while it was written; nothing else.
+        for name in os.listdir(folder) + os.listdir(store):
+            if name not in ("good.png", "out.png", "store") and not name.endswith((".tmp", ".exr")):
+                failures.append("left %s" % name)
+        os.unlink(target)
+        shutil.rmtree(store)
 
-    while not os.path.exists(kept):
-        cut_short(folder, seconds * 0.4, signal.SIGTERM)
-    whole = read(kept)
+    start(folder, "out.png").wait()
     for i in range(args.damages):
+        band = os.path.join(store, chance.choice(os.listdir(store)))
+        whole = read(band)
         damaged = bytearray(whole)
         at = chance.randrange(min(len(whole), 200)) if i % 4 == 0 else chance.randrange(len(whole))
         if i % 2 == 0:
             damaged[at] ^= 1 << chance.randrange(8)
         else:
             del damaged[at:]
-        write(kept, damaged)
-        process = start(folder, "damaged.png")
+        write(band, damaged)
+        os.unlink(target)
+        process = start(folder, "out.png")
         said = process.communicate()[1]
-        if process.returncode != 1 or b"work.checkpoint" not in said or os.path.exists(os.path.join(folder, "damaged.png")):
+        if process.returncode != 0 or read(target) != good or read(band) != whole:
             failures.append("damage %d at %d: status %d, %r" % (i, at, process.returncode, said[:200]))
 
 for failure in failures:
     print(failure)
-print("%d kills, %d damaged checkpoints, %d failures" % (killed, args.damages, len(failures)))
+print("%d kills, %d damaged bands, %d failures" % (killed, args.damages, len(failures)))
 sys.exit(1 if failures else 0)

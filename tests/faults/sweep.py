@@ -54,7 +54,7 @@ COMMANDS = {
     "render": ("render scene.xml -o out.png --size 8x8 --threads 2", "out.png"),
     "render-layers": ("render scene.xml -o out.exr --size 8x8 --threads 2 --aov depth,normal", "out.exr"),
     "denoise": ("render scene.xml -o out.pfm --size 8x8 --threads 2 --denoise", "out.pfm"),
-    "checkpoint": ("render scene.xml -o out.png --size 8x8 --threads 2 --checkpoint kept", "out.png"),
+    "store": ("render scene.xml -o out.png --size 8x40 --threads 2 --store kept", "out.png"),
     "convert": ("convert scene.xml out.json", "out.json"),
     "convert-pov": ("convert scene.xml out.pov", "out.pov"),
     "convert-glb": ("convert scene.xml out.glb --segments 8", "out.glb"),
@@ -65,6 +65,7 @@ COMMANDS = {
     "diff": ("diff scene.xml other.xml", None),
     "diff-pictures": ("diff picture.png other.png --scene scene.xml --sheet out.png --threads 2", "out.png"),
     "grade": ("grade mine --references right --report out.html --threads 2", "out.html"),
+    "grade-store": ("grade mine --references right --report out.html --threads 2 --store kept", "out.html"),
     "explain": ("explain scene.xml --pixel 4,4 --size 8x8", None),
 }
 
@@ -114,10 +115,18 @@ def old_output(output):
     return SCENE.encode() if output == "out.xml" else OLD
 
 
+def list_files(folder):
+    """The names in the folder, and all but complete items in a store, which stay after a failure."""
+    names = [name for name in os.listdir(folder) if name != "kept"]
+    kept = os.path.join(folder, "kept")
+    return sorted(names + [name for name in (os.listdir(kept) if os.path.isdir(kept) else [])
+                           if os.path.splitext(name)[1] not in (".exr", ".json")])
+
+
 def judge(folder, output, good, result):
     """What is wrong with a run, if anything."""
     status, said, complained = result
-    listing = sorted(os.listdir(folder))
+    listing = list_files(folder)
     now = read(folder + "/" + output) if output else None
     if status is None:
         return "it hung"
@@ -146,16 +155,18 @@ class Sweep:
         self.words, self.output = COMMANDS[name]
         self.failures = self.runs = 0
         self.reset()
-        before = sorted(os.listdir(folder))
+        before = list_files(folder)
         status, said, complained = self.run({})
         self.good = {"status": status, "said": said, "output": read(folder + "/" + self.output) if self.output else None,
-                     "before": before, "listing": sorted(os.listdir(folder))}
+                     "before": before, "listing": list_files(folder)}
         if status not in (0, 1):
             sys.exit("%s fails without a fault: %r" % (name, complained))
 
     def reset(self):
         for name in os.listdir(self.folder):
-            if name == "kept" or name.startswith("out") or name.endswith(".tmp"):
+            if name == "kept":
+                shutil.rmtree(os.path.join(self.folder, name))
+            elif name.startswith("out") or name.endswith(".tmp"):
                 os.unlink(os.path.join(self.folder, name))
         if self.output:
             write(self.folder + "/" + self.output, old_output(self.output))

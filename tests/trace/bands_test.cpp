@@ -62,8 +62,9 @@ TEST(Bands, NamesAreRead) {
   EXPECT_EQ(band_of_name("00064-00128.exr"), (RowRange{64, 128}));
   EXPECT_EQ(band_of_name(band_name({1048560, 1048576})), (RowRange{1048560, 1048576}));
   for (const char* const other :
-       {"", "-", "64-128.exr", "00064-00128.exr.tmp", "00064-00064.exr", "00128-00064.exr", "-0064-00128.exr",
-        "00064-0128.exr", "000064-00128.exr", "00064_00128.exr", "00064-00128.png", "99999999999-00128.exr"}) {
+       {"", "-", "64-128.exr", "00064-00128.exr.tmp", "00064-00064.exr", "00128-00064.exr",
+        "-0064-00128.exr", "00064-0128.exr", "000064-00128.exr", "00064_00128.exr",
+        "00064-00128.png", "99999999999-00128.exr"}) {
     EXPECT_EQ(band_of_name(other), std::nullopt) << other;
   }
 }

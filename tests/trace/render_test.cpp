@@ -94,9 +94,9 @@ TEST(Render, ProgressWorksWithAnyNumberOfThreads) {
     preview.interval_seconds = 0;
     preview.show = [](const Image& image) { EXPECT_EQ(image.width, 64); };
     for (options.threads = 1; options.threads <= 16; ++options.threads) {
-      const RenderResult result = render(b.scene, b.assets, options,
-                                         {.progress = [](double) { return true; },
-                                          .preview = preview});
+      const RenderResult result =
+          render(b.scene, b.assets, options,
+                 {.progress = [](double) { return true; }, .preview = preview});
       EXPECT_TRUE(one.rgb == result.image.rgb) << options.threads;
     }
   }

@@ -1,8 +1,7 @@
 // Pictures driven by the caller: passes, bands, and a reused acceleration structure.
 
-#include "scenefile/trace/picture_state.h"
-
 #include "scenefile/trace/bands.h"
+#include "scenefile/trace/picture_state.h"
 #include "trace/build_scene.h"
 
 #include <gtest/gtest.h>
@@ -102,8 +101,7 @@ TEST(State, BandsAreThePicture) {
           const RowRange band = share_of({0, region.height()}, i, count);
           RenderOptions of_band = options;
           of_band.crop = {region.x0, region.y0 + band.first, region.x1, region.y0 + band.end};
-          const RenderResult part =
-              render(b.scene, b.assets, of_band, {.traced = &traced});
+          const RenderResult part = render(b.scene, b.assets, of_band, {.traced = &traced});
           const auto put = [&](const std::vector<float>& from, std::vector<float>& to) {
             const std::size_t row = to.size() / static_cast<std::size_t>(region.height());
             ASSERT_EQ(from.size(), row * static_cast<std::size_t>(band.rows()));

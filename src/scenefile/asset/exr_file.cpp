@@ -91,8 +91,7 @@ std::string header_of(int width, int height, const std::vector<Channel>& channel
   append(bytes, version | (has_long ? long_names : 0));
   append_attribute(bytes, "channels", "chlist", channel_list(channels));
   append_attribute(bytes, "compression", "compression", {&zip_of_16_rows, 1});
-  append_attribute(bytes, "dataWindow", "box2i",
-                   window_of(width, note.first, note.first + height));
+  append_attribute(bytes, "dataWindow", "box2i", window_of(width, note.first, note.first + height));
   append_attribute(bytes, "displayWindow", "box2i",
                    window_of(width, 0, note.picture_height == 0 ? height : note.picture_height));
   append_attribute(bytes, "lineOrder", "lineOrder", std::string_view("\0", 1));

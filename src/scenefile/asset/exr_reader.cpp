@@ -397,9 +397,9 @@ class ChunkDecoder {
  private:
   static void set_target(exr_coding_channel_info_t& channel, std::span<const ExrTarget> targets) {
     channel.decode_to_ptr = nullptr;
-    const auto found = std::find_if(
-        targets.begin(), targets.end(),
-        [&](const ExrTarget& target) { return target.channel == channel.channel_name; });
+    const auto found = std::find_if(targets.begin(), targets.end(), [&](const ExrTarget& target) {
+      return target.channel == channel.channel_name;
+    });
     if (found == targets.end()) {
       return;
     }
@@ -569,8 +569,7 @@ Result<void> ExrRows::read(std::span<ImageLayer> layers) const {
   ChunkDecoder decoder(file, part);
   for (int y = first(); y < end(); y += static_cast<int>(part.chunk_height)) {
     exr_chunk_info_t chunk{};
-    Result<void> done =
-        file.check(exr_read_scanline_chunk_info(file.get(), part.index, y, &chunk));
+    Result<void> done = file.check(exr_read_scanline_chunk_info(file.get(), part.index, y, &chunk));
     if (done) {
       done = decoder.decode(chunk, targets);
     }

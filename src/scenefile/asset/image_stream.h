@@ -27,7 +27,8 @@ ByteSink sink_to(std::string& bytes);
 /// Returns the 3 * width values of row y, valid until the next call; null to cancel.
 using RowSource = std::function<const float*(int y)>;
 
-/// Requests each row once, from the top. Returns false if it was canceled. `text`: as FileNote::text.
+/// Requests each row once, from the top. Returns false if it was canceled. `text`: as
+/// FileNote::text.
 bool stream_png(int width, int height, int bits, Rounding rounding, const RowSource& rows,
                 const ByteSink& sink, std::string_view text = {});
 

@@ -12,8 +12,8 @@
 
 namespace scenefile {
 
-/// The text for a file with this key, before seal_item(): one line of printable ASCII without quotes
-/// and backslashes, if the key is.
+/// The text for a file with this key, before seal_item(): one line of printable ASCII without
+/// quotes and backslashes, if the key is.
 std::string item_text(std::string_view key);
 
 /// Puts the checksum into the first item_text() in the bytes, which are then complete.

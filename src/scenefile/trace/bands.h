@@ -1,7 +1,7 @@
 #pragma once
 // Bands: rows of a picture over its whole width, for drawing it piece by piece or on several
-// machines. A band begins at a multiple of 16 rows, and ends at one or at the bottom: such bands are
-// whole blocks of an EXR file (asset/image_stream.h).
+// machines. A band begins at a multiple of 16 rows, and ends at one or at the bottom: such bands
+// are whole blocks of an EXR file (asset/image_stream.h).
 
 #include <cstdint>
 #include <optional>

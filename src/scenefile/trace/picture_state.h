@@ -1,6 +1,6 @@
 #pragma once
-// An unfinished picture as plain data: created, drawn pass by pass, and converted to an image by its
-// owner.
+// An unfinished picture as plain data: created, drawn pass by pass, and converted to an image by
+// its owner.
 //
 //   PictureState state = make_state(scene, options);
 //   while (!complete(state) &&

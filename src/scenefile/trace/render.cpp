@@ -37,7 +37,8 @@ void render_passes(const Tracer& tracer, const RenderControl& control, PictureSt
     shown.start(tracer);
   }
   while (!complete(state) && result.status == RenderStatus::complete) {
-    result.status = render_pass(tracer, state, shown.wanted() ? showing : control.progress, &result.stats);
+    result.status =
+        render_pass(tracer, state, shown.wanted() ? showing : control.progress, &result.stats);
     if (shown.wanted()) {
       shown.update();
     }

@@ -32,8 +32,8 @@ inline constexpr std::size_t many_pictures = 200;
 /// Loads the scene of a reference, and reports its findings.
 using LoadShownScene = std::function<LoadedScene(const std::string& path)>;
 
-/// A class whose references are loaded and whose pictures are found, ready to be graded, one student
-/// at a time.
+/// A class whose references are loaded and whose pictures are found, ready to be graded, one
+/// student at a time.
 class ClassGrader {
  public:
   /// Fails like grade_class(). `request` must outlive the result.

@@ -68,7 +68,8 @@ class RecordWriter {
  public:
   void put(bool value) { json.value(value); }
   void put(double value) {
-    std::isfinite(value) ? json.value(value) : json.value(std::string_view(fmt::format("{}", value)));
+    std::isfinite(value) ? json.value(value)
+                         : json.value(std::string_view(fmt::format("{}", value)));
   }
   template <std::integral T>
   void put(T value) {

@@ -65,9 +65,4 @@ Result<void> UsedFiles::write(const UsedFile& output) {
   return {};
 }
 
-bool same_file(const std::string& a, const std::string& b) {
-  const std::optional<FileIdentity> identity = identity_of(a);
-  return identity && identity == identity_of(b);
-}
-
 }  // namespace scenefile

@@ -48,7 +48,7 @@ class PictureKey {
   }
   void add(Profile profile) { add(profile_word(profile)); }
   void add(Mode mode) { add(mode_word(mode)); }
-  void add(Lobe lobe) { add(lobe_word(lobe)); }
+  void add(Convention convention) { add(convention_word(convention)); }
   void add(const std::vector<Layer>& layers) {
     std::vector<std::string> names;
     for (const Layer& layer : layers) {

@@ -1,7 +1,6 @@
-// Reading and writing files in pieces.
+// Writing files in pieces.
 
 #include "io/temp_folder.h"
-#include "scenefile/io/file_reader.h"
 #include "scenefile/io/file_writer.h"
 
 #include <gmock/gmock.h>
@@ -46,23 +45,6 @@ TEST(FileWriter, UnwritablePathsAreRejected) {
   EXPECT_FALSE(FileWriter::create(folder.path()));
   EXPECT_FALSE(FileWriter::create(folder.path("no/such")));
   EXPECT_THAT(folder.list(), IsEmpty());
-}
-
-TEST(FileReader, ReadsPieces) {
-  const TempFolder folder;
-  const Result<FileReader> file = FileReader::open(folder.write("a", "0123456789"));
-  ASSERT_TRUE(file);
-  EXPECT_EQ(file->size(), 10u);
-  EXPECT_EQ(*file->read(3, 4), "3456");
-  EXPECT_EQ(*file->read(8, 4), "89");
-  EXPECT_EQ(*file->read(20, 4), "");
-}
-
-TEST(FileReader, RejectsOtherThanRegularFiles) {
-  const TempFolder folder;
-  EXPECT_FALSE(FileReader::open(folder.path()));
-  EXPECT_FALSE(FileReader::open(folder.path("no")));
-  EXPECT_FALSE(FileReader::open("/dev/zero"));
 }
 
 }  // namespace

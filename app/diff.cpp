@@ -185,7 +185,11 @@ ExitCode write_maps(const Options& options, const Texture& a, const Texture& b,
 
 // If one input is a scene, reports that instead of a decoding error.
 void report_scene_input(LoadedPicture& loaded, const LoadedPicture& other) {
-  if (loaded.status == ExitCode::findings && other.error.empty() && is_scene_name(loaded.path)) {
+  if (loaded.status != ExitCode::findings || !other.error.empty() || !is_scene_name(loaded.path)) {
+    return;
+  }
+  if (const Result<std::string> text = read_file(loaded.path, Limits{}.file_bytes);
+      text && has_scene_parts(*text)) {
     loaded.error = fmt::format(
         "{} is a scene and {} a picture; compare two scenes, or two pictures and name their scene "
         "with --scene",

@@ -80,7 +80,7 @@ std::string grading_words(const Options& options, std::span<const NamePair> map)
 // The results of students: in memory, or with --store in files.
 class StudentStore {
  public:
-  StudentStore(const Options& options, const ClassGrader& grader, std::span<const NamePair> map)
+  StudentStore(const Options& options, ClassGrader& grader, std::span<const NamePair> map)
       : folder_(options.store) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < grader.students(); ++i) {
@@ -231,36 +231,19 @@ ExitCode answer_share(const Options& options, std::size_t found, std::size_t gra
   return ExitCode::fine;
 }
 
-// Adds the files that are read to context.files. An error if an output would replace one of them.
-Result<void> add_graded_files(const Options& options, Context& context) {
+// Adds the files of the class to context.files. An error if an output would replace one of them.
+Outcome add_inputs(const ClassGrader& grader, Context& context) {
   Result<void> added;
-  const auto add = [&](std::string_view role, const std::string& folder,
-                       bool (*wanted)(std::string_view)) {
-    for (const FoundFile& file : files_below(folder, wanted)) {
-      added = added ? context.files.read(named_file(role, file.path)) : added;
-    }
-  };
-  add("reference", options.references, is_picture_name);
-  add("scene of a reference", options.scenes.empty() ? options.references : options.scenes,
-      is_scene_name);
-  add("picture of a student", options.arguments.front(), is_picture_name);
-  add("archive of a student", options.arguments.front(), is_archive_name);
-  for (const std::string& folder : {options.references, options.references + "/.."}) {
-    const std::string table = fmt::format("{}/{}", folder, realtime_table_name);
-    if (added && stamp_of(table).exists) {
-      added = context.files.read(named_file("table", table));
-    }
+  for (const UsedFile& file : grader.inputs()) {
+    added = added ? context.files.read(file) : added;
   }
-  return added;
+  return outcome_of(added);
 }
 
 }  // namespace
 
 ExitCode run_grade(const Options& options, Context& context) {
-  Outcome refused = outcome_of(add_graded_files(options, context));
-  if (refused.status == ExitCode::fine) {
-    refused = check_named_outputs(options);
-  }
+  Outcome refused = check_named_outputs(options);
   if (refused.status != ExitCode::fine) {
     say_error(refused.error);
     return refused.status;
@@ -292,6 +275,9 @@ ExitCode run_grade(const Options& options, Context& context) {
     bar.reset();
     say_error(grader.error().text);
     return exit_code(grader.error().kind);
+  }
+  if (refused.status == ExitCode::fine) {
+    refused = add_inputs(*grader, context);
   }
   if (refused.status == ExitCode::fine) {
     std::vector<std::string> students;

@@ -5,12 +5,14 @@
 #include "app/output.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/file.h"
+#include "scenefile/io/folder.h"
 #include "scenefile/io/interrupt.h"
 #include "scenefile/verbs/grade_class.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <charconv>
@@ -48,17 +50,6 @@ std::string date_of_report() {
     return fmt::format("{:%Y-%m-%d}", fmt::gmtime(static_cast<std::time_t>(seconds)));
   }
   return fmt::format("{:%Y-%m-%d}", fmt::localtime(std::time(nullptr)));
-}
-
-// Lines may contain file names.
-std::string safe_lines(const std::string& text) {
-  std::string result;
-  for (std::size_t start = 0; start < text.size();) {
-    const std::size_t end = text.find('\n', start);
-    result += escaped(text.substr(start, end - start), 4096) + "\n";
-    start = end == std::string::npos ? text.size() : end + 1;
-  }
-  return result;
 }
 
 // Writes files, and removes those that did not exist before, with their folders, unless they are
@@ -124,7 +115,8 @@ Result<void> write_pages(const std::string& folder, const Gradebook& book,
   for (std::size_t s = 0; s < names.size(); ++s) {
     const Result<void> written =
         files.write(fs::path(folder) / (names[s] + ".html"),
-                    student_html(book.students[s], heading.title, heading.date));
+                    student_html(book.students[s], heading.title, heading.date,
+                                 ignored_lines(book, book.students[s].name)));
     if (!written) {
       return written;
     }
@@ -231,6 +223,9 @@ Outcome claim_pages(const Options& options, std::span<const std::string> student
   const auto add = [&](std::string_view role, const fs::path& path) {
     added = added ? context.files.write(named_file(role, path.string())) : added;
   };
+  if (!options.pages.empty() && !is_folder(options.pages)) {
+    add("folder of pages", options.pages);
+  }
   const std::vector<std::string> names = student_file_names(students);
   for (std::size_t s = 0; s < students.size(); ++s) {
     if (!options.pages.empty()) {
@@ -259,9 +254,17 @@ ExitCode write_results(const Options& options, Gradebook book, std::string_view 
     return exit_code(written.error().kind);
   }
   const ExitCode status = book.all_passed() ? ExitCode::fine : ExitCode::findings;
+  // A table on standard output stays one that programs can read.
+  const bool taken = std::any_of(options.given.begin(), options.given.end(), [](const auto& given) {
+    return given.row->value == "OUT" && is_standard_output(given.value);
+  });
+  if (!options.json && !options.quiet && taken) {
+    say(gradebook_text(book));
+    return status;
+  }
   const std::string text = options.json    ? gradebook_json(book)
                            : options.quiet ? std::string()
-                                           : safe_lines(gradebook_text(book));
+                                           : gradebook_text(book);
   return text.empty() ? status : worse(status, answer(text));
 }
 

@@ -25,21 +25,22 @@ namespace scenefile::app {
 namespace {
 
 constexpr std::array command_rows{
-    Command{"render", for_render, "SCENE -o OUT", "draw a scene with the ray tracer",
-            "Draws the scene to a picture. The file is written completely or not at all. The "
-            "picture does not depend on the number of threads. A configuration of the course's "
-            "programs, FILE.ini, stands for the scene and options that it names; options that are "
-            "given count more.",
-            "scenefile render chess.xml -o chess.png\n"
-            "scenefile render chess.xml -o chess.png --size 1920x1080 --samples 64\n"
-            "scenefile render chess.xml -o chess.png --profile course --features shadows,reflect\n"
-            "scenefile render chess.xml -o chess.png --engine gl\n"
-            "scenefile render chess.xml -o chess.png --size 7680x4320 --store bands\n"
-            "scenefile render chess.xml --size 7680x4320 --store bands --part 3/64\n"
-            "scenefile render glossy.ini --samples 400\n"
-            "scenefile render chess.xml -o chess.exr --asset-root ~/course/data\n"
-            "cat chess.xml | scenefile render - -o - > chess.png",
-            run_render},
+    Command{
+        "render", for_render, "SCENE -o OUT", "draw a scene with the ray tracer",
+        "Draws the scene to a picture. The file is written completely or not at all. The "
+        "picture does not depend on the number of threads. FILE.ini, a configuration of the "
+        "course's programs, supplies the scene and options; options on the command line override "
+        "those of the configuration.",
+        "scenefile render chess.xml -o chess.png\n"
+        "scenefile render chess.xml -o chess.png --size 1920x1080 --samples 64\n"
+        "scenefile render chess.xml -o chess.png --profile course --features shadows,reflect\n"
+        "scenefile render chess.xml -o chess.png --engine gl\n"
+        "scenefile render chess.xml -o chess.png --size 7680x4320 --store bands\n"
+        "scenefile render chess.xml --size 7680x4320 --store bands --part 3/64\n"
+        "scenefile render glossy.ini --samples 400\n"
+        "scenefile render chess.xml -o chess.exr --asset-root ~/course/data\n"
+        "cat chess.xml | scenefile render - -o - > chess.png",
+        run_render},
     Command{"frames", for_frames, "SCENE -o PATTERN", "draw numbered frames with a moving camera",
             "Draws a numbered picture for each frame of a full turn around the scene "
             "(--turntable), or of a path through given views (--path). Frames that already exist "

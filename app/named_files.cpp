@@ -76,10 +76,22 @@ Result<void> add_named_files(const Command& command, const Options& options, Use
     added = word == "OUT" ? files.write(named_file("output", path))
                           : files.read(named_file(role_of(word), path));
   }
+  std::string on_stdout = options.json ? "the answer of --json" : "";
+  const auto claim_stdout = [&](const UsedFile& file) {
+    if (!is_standard_output(file.path)) {
+      return files.write(file);
+    }
+    const std::string other = std::exchange(on_stdout, file.what);
+    return other.empty() ? Result<void>()
+                         : Result<void>(Error{fmt::format("{} and {} cannot both be on standard "
+                                                          "output",
+                                                          file.what, other),
+                                              ErrorKind::usage});
+  };
   for (const auto& [row, value] : options.given) {
     const UsedFile file = named_file(role_of(row->name), value);
     if (added && row->value == "OUT") {
-      added = files.write(file);
+      added = claim_stdout(file);
     } else if (added && contains(words_for_inputs, row->value)) {
       added = files.read(file);
     }

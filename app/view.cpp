@@ -171,6 +171,15 @@ ExitCode run_view(const Options& options, Context& context) {
   const bool unattended = !script->steps.empty();
   context.phase = "showing the window";
   viewer::WindowOptions window = window_options(options, *std::move(script));
+  if (unattended && !window.reference.empty()) {
+    // Later, only the window would say so, and nobody looks at it.
+    const Result<DecodedPicture> reference =
+        load_picture_file(window.reference, options.layer, options.load.limits);
+    if (!reference) {
+      say_error(reference.error().text);
+      return exit_code(reference.error().kind);
+    }
+  }
   bool opened = true;
   window.failed = [&](const viewer::WindowResult& result) {
     opened = false;

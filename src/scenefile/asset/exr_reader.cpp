@@ -216,10 +216,11 @@ Result<ImageHeader> read_exr_header(std::string_view bytes) {
 
 // What can be shown as colors.
 struct ExrLayer {
-  std::string name;    // empty for the channels R, G, B or Y of the only or first part
-  bool color = false;  // these, or another layer with R, G, B
-  int part = 0;        // in the list of parts
+  std::string name;                     // of the channels or of the part; may be empty
+  bool color = false;                   // these, or another layer with R, G, B
+  int part = 0;                         // in the list of parts
   std::array<std::string, 3> channels;  // full names; all the same for gray
+  bool plain = false;                   // of the first part, without a name of their own
 };
 
 struct ExrChannel {
@@ -297,7 +298,8 @@ std::vector<ExrLayer> exr_layers(const ExrFile& file, const std::vector<ExrPart>
         layer->part = static_cast<int>(p);
         layer->name = name;
         const char* part_name = nullptr;
-        if (name.empty() && p > 0 &&
+        layer->plain = name.empty() && p == 0;
+        if (name.empty() &&
             exr_get_name(file.get(), parts[p].index, &part_name) == EXR_ERR_SUCCESS &&
             part_name != nullptr) {
           layer->name = part_name;
@@ -332,10 +334,9 @@ Result<ExrLayer> choose_exr_layer(const ExrFile& file, const std::vector<ExrPart
     return input_error(chroma ? "its colors are luminance and chroma (Y, RY, BY); save it as RGB"
                               : "it has no channels R, G, B or Y");
   }
-  const auto plain = std::find_if(layers.begin(), layers.end(), [](const ExrLayer& layer) {
-    return layer.name.empty() && layer.color;
-  });
-  if (layers.size() == 1 && (name.empty() || layers.front().name.empty())) {
+  const auto plain = std::find_if(layers.begin(), layers.end(),
+                                  [](const ExrLayer& layer) { return layer.plain && layer.color; });
+  if (layers.size() == 1 && (name.empty() || layers.front().plain)) {
     return layers.front();
   }
   if (name.empty()) {

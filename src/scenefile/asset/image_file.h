@@ -53,14 +53,13 @@ struct DecodedPicture {
 };
 
 /// Decodes what decode_image() does, and
-/// - PPM and PGM, as text or binary; values above 255 are scaled to 8 bits;
+/// - PPM and PGM, as text or binary; values are scaled to 8 bits;
 /// - PFM, in color or gray. The amount of its scale is ignored;
-/// - OpenEXR with scan lines or tiles (the largest level), and
-///   any lossless compression or PXR24. The picture
-///   is the display window, black where there are no pixels. Its colors are channels R, G, B, or Y.
-///   Alpha is dropped. If it has neither, but layers (names before the last point of channels, or
-///   names of parts), `layer` selects one; without it, the only one. A layer is three channels R,
-///   G, B or X, Y, Z, or a single channel. `layer` is ignored for files without layers.
+/// - OpenEXR with scan lines or tiles (the largest level), and any lossless compression or PXR24.
+///   The picture is the display window, black where there are no pixels. Alpha is dropped. `layer`
+///   selects one of its layers: three channels R, G, B or X, Y, Z, or a single channel, with a name
+///   before the last point or of their part. Without it: R, G, B or Y of the first part without
+///   such a name, otherwise the only layer. `layer` is ignored for files without layers.
 /// The result and errors are otherwise those of decode_image(). Needs 15 bytes per pixel for
 /// floats, which must fit in limits.texture_bytes.
 Result<DecodedPicture> decode_picture(std::string_view bytes, std::string_view layer = {},

@@ -181,7 +181,15 @@ std::vector<std::string> ignored_lines(const Gradebook& book) {
   return lines;
 }
 
+std::vector<std::string> ignored_lines(const Gradebook& book, std::string_view student) {
+  Gradebook own;
+  std::copy_if(book.ignored.begin(), book.ignored.end(), std::back_inserter(own.ignored),
+               [&](const IgnoredFile& file) { return file.student == student; });
+  return ignored_lines(own);
+}
+
 std::string gradebook_text(const Gradebook& book) {
+  constexpr std::size_t max_line = 4096;  // bytes
   std::size_t width = 0;
   for (const StudentResult& student : book.students) {
     width = std::max(width, escaped(student.name).size());
@@ -196,20 +204,20 @@ std::string gradebook_text(const Gradebook& book) {
         missing.push_back(escaped(picture.name));
       } else if (picture.verdict != Verdict::passed) {
         text += fmt::format("    {}: {}: {}\n", escaped(picture.name), name_of(picture.verdict),
-                            reasons_text(picture));
+                            escaped(reasons_text(picture), max_line));
       }
     }
     if (!missing.empty()) {
       text += fmt::format("    missing: {}\n", fmt::join(missing, ", "));
     }
     if (const std::string unmatched = unmatched_text(student); !unmatched.empty()) {
-      text += fmt::format("    {}; --map assigns other names\n", escaped(unmatched));
+      text += fmt::format("    {}; --map assigns other names\n", escaped(unmatched, max_line));
     }
   }
   const auto list = [&](std::string_view title, const std::vector<std::string>& lines) {
     text += lines.empty() ? std::string() : fmt::format("{}:\n", title);
     for (const std::string& line : lines) {
-      text += fmt::format("    {}\n", escaped(line));
+      text += fmt::format("    {}\n", escaped(line, max_line));
     }
   };
   list("identical files", identical_lines(book));

@@ -78,10 +78,11 @@ std::string unmatched_text(const StudentResult& student);
 /// "old.zip: protected by a password". Files of one student with the same reason share a line:
 /// "ada/main.cpp and 11 more: not a picture".
 std::vector<std::string> ignored_lines(const Gradebook& book);
+/// Only those of a student.
+std::vector<std::string> ignored_lines(const Gradebook& book, std::string_view student);
 
 /// A line for each student, followed by one for each picture that did not pass, identical and
-/// ignored files, and a summary line. Names are printed unchanged; callers must escape them for
-/// terminals.
+/// ignored files, and a summary line. Escaped for terminals.
 std::string gradebook_text(const Gradebook& book);
 
 /// How many pictures a cause explains.
@@ -100,9 +101,10 @@ std::vector<CauseCount> count_causes(std::span<const StudentResult> students);
 std::string gradebook_html(const Gradebook& book, std::string_view title,
                            std::string_view date = {});
 
-/// The report for one student, to return to them; it contains nothing about the class.
+/// The report for one student, to return to them; it contains nothing about the class. `ignored`:
+/// lines about their files (ignored_lines()).
 std::string student_html(const StudentResult& student, std::string_view title,
-                         std::string_view date = {});
+                         std::string_view date = {}, const std::vector<std::string>& ignored = {});
 
 /// One line per picture of each student, as CSV (RFC 4180) with a header line. An apostrophe is put
 /// before text that a spreadsheet would interpret as a formula.

@@ -405,8 +405,17 @@ std::string passed(const StudentResult& student) {
                             counted(student.passed(), "picture"), html);
 }
 
-// Everything about a student. `index`: in the table.
-std::string results(const StudentResult& student, std::size_t index) {
+std::string list_html(const std::vector<std::string>& lines, std::string_view attribute = {}) {
+  std::string html = fmt::format("<ul{}>\n", attribute);
+  for (const std::string& line : lines) {
+    html += fmt::format("<li>{}</li>\n", markup(line));
+  }
+  return html + "</ul>";
+}
+
+// Everything about a student. `index`: in the table. `ignored`: lines about their files.
+std::string results(const StudentResult& student, std::size_t index,
+                    const std::vector<std::string>& ignored) {
   std::string html = mistakes_list(student, index, false) + mistakes_list(student, index, true);
   html = html.empty() ? html
                       : "<h3>What to look at</h3>\n<ul class=\"mistakes-list\">" + html + "</ul>\n";
@@ -423,6 +432,7 @@ std::string results(const StudentResult& student, std::size_t index) {
   if (const std::string unmatched = unmatched_text(student); !unmatched.empty()) {
     html += fmt::format("<p>{}.</p>\n", markup(unmatched));
   }
+  html += ignored.empty() ? std::string() : "<h3>Not graded</h3>\n" + list_html(ignored) + "\n";
   html += passed(student);
   for (const PictureResult& picture : student.pictures) {
     if (picture.verdict == Verdict::passed && !picture.notes.empty()) {
@@ -438,13 +448,9 @@ std::string class_notes(std::string_view title, std::string_view remark,
   if (lines.empty()) {
     return {};
   }
-  std::string html =
-      fmt::format("<section><h2>{}</h2>\n<details><summary>{} ({})</summary><ul class=\"body\">\n",
-                  title, remark, lines.size());
-  for (const std::string& line : lines) {
-    html += fmt::format("<li>{}</li>\n", markup(line));
-  }
-  return html + "</ul></details></section>\n";
+  return fmt::format(
+      "<section><h2>{}</h2>\n<details><summary>{} ({})</summary>{}</details></section>\n", title,
+      remark, lines.size(), list_html(lines, " class=\"body\""));
 }
 
 std::string passed_of_all(const StudentResult& student) {
@@ -452,7 +458,8 @@ std::string passed_of_all(const StudentResult& student) {
                      counted(student.pictures.size(), "picture"));
 }
 
-std::string student_details(const StudentResult& student, std::size_t index) {
+std::string student_details(const Gradebook& book, std::size_t index) {
+  const StudentResult& student = book.students[index];
   const std::vector<Mistake> mistakes = mistakes_of(student, &PictureResult::causes);
   const std::size_t more = mistakes.empty() ? 0 : mistakes.size() - 1;
   return fmt::format(
@@ -464,7 +471,7 @@ std::string student_details(const StudentResult& student, std::size_t index) {
           ? std::string()
           : fmt::format(" <span class=\"dim\">· {}{}</span>", short_sentence(mistakes.front()),
                         more == 0 ? "" : fmt::format(", and {}", counted(more, "other mistake"))),
-      results(student, index));
+      results(student, index, ignored_lines(book, student.name)));
 }
 
 // The details of the students that passed everything, or of the others.
@@ -472,7 +479,7 @@ std::string students(const Gradebook& book, bool all_passed, std::string_view he
   std::string html;
   for (std::size_t s = 0; s < book.students.size(); ++s) {
     if ((failed(book.students[s]) == 0) == all_passed) {
-      html += student_details(book.students[s], s);
+      html += student_details(book, s);
     }
   }
   return html.empty() ? html : fmt::format("<section>{}\n{}</section>\n", heading, html);
@@ -495,12 +502,12 @@ std::string gradebook_html(const Gradebook& book, std::string_view title, std::s
 }
 
 std::string student_html(const StudentResult& student, std::string_view title,
-                         std::string_view date) {
+                         std::string_view date, const std::vector<std::string>& ignored) {
   return report_page(
       title, date,
       fmt::format("<div class=\"student\">\n<h2 class=\"who\">{}</h2>\n{}{}</div>\n",
                   name_html(student.name), summary({{student}}, passed_of_all(student)),
-                  results(student, 0)));
+                  results(student, 0, ignored)));
 }
 
 }  // namespace scenefile

@@ -46,6 +46,11 @@ std::string gradebook_junit(const Gradebook& book) {
     for (const PictureResult& picture : student.pictures) {
       xml += test_case(student, picture);
     }
+    if (const std::vector<std::string> ignored = ignored_lines(book, student.name);
+        !ignored.empty()) {
+      xml += fmt::format("    <system-out>not graded:\n{}</system-out>\n",
+                         markup(fmt::format("{}\n", fmt::join(ignored, "\n"))));
+    }
     xml += "  </testsuite>\n";
   }
   return xml + "</testsuites>\n";

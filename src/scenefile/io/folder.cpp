@@ -43,7 +43,7 @@ Listing list(const std::string& folder) {
        i.increment(listing.error)) {
     const std::string name = i->path().filename().string();
     std::error_code unknown;
-    if (is_junk_name(name)) {
+    if (is_junk_name(name) || is_hidden_name(name)) {
       continue;
     }
     if (i->is_directory(unknown) && !i->is_symlink(unknown)) {
@@ -132,9 +132,17 @@ std::vector<FolderEntry> entries_of(const std::string& folder, std::string* prob
   return entries;
 }
 
+bool is_hidden_name(std::string_view name) {
+  return name.starts_with('.');
+}
+
 bool is_junk_name(std::string_view name) {
-  return name.starts_with('.') || name == "__MACOSX" || name == "Thumbs.db" ||
-         name == "desktop.ini";
+  static constexpr std::string_view names[] = {
+      "__MACOSX",    "Thumbs.db",       "desktop.ini", ".DS_Store", ".localized", ".Spotlight-V100",
+      ".Trashes",    ".TemporaryItems", ".fseventsd",  ".git",      ".gitignore", ".gitattributes",
+      ".gitmodules", ".gitkeep",        ".svn",        ".hg",       ".idea",      ".vscode"};
+  return name.starts_with("._") ||
+         std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
 bool is_link(const std::string& path) {

@@ -47,12 +47,15 @@ struct FolderEntry {
   bool folder = false;  ///< or a link to one
   bool link = false;
 };
-/// The entries of a folder, sorted by name, without junk (is_junk_name()). If it cannot be read,
-/// those until then; `problem` says why.
+/// The entries of a folder, sorted by name, without junk, but with hidden ones. If it cannot be
+/// read, those until then; `problem` says why.
 std::vector<FolderEntry> entries_of(const std::string& folder, std::string* problem = nullptr);
 
-/// Whether archivers and operating systems add files and folders with this name: it starts with a
-/// dot, or is __MACOSX, Thumbs.db or desktop.ini.
+/// Whether the name starts with a dot.
+bool is_hidden_name(std::string_view name);
+
+/// Whether archivers, operating systems, editors and version control add files and folders with
+/// this name, such as __MACOSX, Thumbs.db, .DS_Store, ._NAME and .git.
 bool is_junk_name(std::string_view name);
 
 /// Whether the path is a symbolic link.
@@ -62,7 +65,7 @@ bool is_link(const std::string& path);
 bool natural_less(const std::string& first, const std::string& second);
 
 /// Paths of the regular files in a folder and its subfolders, in natural order, files before
-/// folders. Follows links to files, but not to folders. Skips junk (is_junk_name()). Folders that
+/// folders. Follows links to files, but not to folders. Skips junk and hidden ones. Folders that
 /// cannot be listed are added to `errors`.
 std::vector<std::string> files_below(const std::string& folder, std::vector<Error>& errors);
 

@@ -31,8 +31,8 @@ struct UsedFile {
   std::string what;
 };
 
-/// Paths that write_file() would not replace have no effect: an empty one, standard input and
-/// output, folders, devices and pipes.
+/// Paths that write_file() would not replace have no effect: an empty one, standard output,
+/// folders, devices and pipes. Standard input is the file that it comes from.
 class UsedFiles {
  public:
   /// Adds an input. If it is an output, returns an error (ErrorKind::usage) that names both.

@@ -27,6 +27,7 @@ constexpr std::size_t max_class_folders = 16;
 constexpr std::size_t max_archives = 3;  // in one another
 constexpr std::string_view gradescope_table = "submission_metadata.yml";
 constexpr std::string_view not_a_picture = "not a picture";
+constexpr std::string_view hidden = "hidden: its name begins with a dot";
 
 // A file in the class.
 struct Item {
@@ -38,6 +39,7 @@ struct Listing {
   std::vector<Item> items;
   std::vector<std::string> folders;  // directly in the class; possibly empty ones
   std::string gradescope;            // the contents of its table
+  std::string gradescope_path;
 };
 
 bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
@@ -114,7 +116,9 @@ class Lister {
     }
     for (const FolderEntry& entry : entries_of(folder)) {
       left_ = max_class_files;
-      if (entry.folder) {
+      if (is_hidden_name(entry.name)) {
+        add(file_of(entry.path, {}), std::string(hidden));
+      } else if (entry.folder) {
         listing_.folders.push_back(entry.name);
         add_folder(entry.path, {entry.name});
       } else {
@@ -141,7 +145,9 @@ class Lister {
           "the folder cannot be read: " + problem);
     }
     for (const FolderEntry& entry : entries) {
-      if (!entry.folder) {
+      if (is_hidden_name(entry.name)) {
+        add(file_of(entry.path, folders), std::string(hidden));
+      } else if (!entry.folder) {
         add_file(entry, folders);
       } else if (entry.link || folders.size() >= max_class_folders) {
         add(file_of(entry.path, folders),
@@ -181,6 +187,7 @@ class Lister {
   }
 
   void add_gradescope_table(FoundFile file, const Result<std::string>& text) {
+    listing_.gradescope_path = file.path;
     if (text) {
       listing_.gradescope = *text;
     } else {
@@ -216,7 +223,10 @@ class Lister {
       return;
     }
     std::string why = entry.problem;
-    if (why.empty() && is_archive_name(path)) {
+    if (why.empty() &&
+        (is_hidden_name(path) || std::any_of(folders.begin(), folders.end(), is_hidden_name))) {
+      why = hidden;
+    } else if (why.empty() && is_archive_name(path)) {
       std::vector<std::string> inside = folders;
       inside.emplace_back(path);
       why = add_inner_archive(file, inside, read, budget);
@@ -442,9 +452,12 @@ class ClassBuilder {
     Listing listing;
     Lister(listing).add_class(folder_);
     drop_overwritten(listing.items);
+    std::set<std::string> paths{listing.gradescope_path};
     for (const Item& item : listing.items) {
       paths_.push_back(joined(item.file.folders, file_name(item.file)));
+      paths.insert(item.file.path);
     }
+    result_.paths.assign(paths.begin(), paths.end());
     unwrap(listing.items, references_, !is_folder(folder_));
     first_ = listing.items.data();
     std::vector<Top> tops = tops_of(listing, references_);

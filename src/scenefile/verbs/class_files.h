@@ -22,6 +22,7 @@ struct StudentFiles {
 struct ClassFiles {
   std::vector<StudentFiles> students;  ///< by name
   std::vector<IgnoredFile> ignored;    ///< of unknown students
+  std::vector<std::string> paths;      ///< of all files that were found, and of all archives
 };
 
 /// The students in `folder`, which may also be an archive:
@@ -34,7 +35,8 @@ struct ClassFiles {
 ///   at least as many pictures directly in it have the name of a reference as in its folders.
 ///
 /// Archives are read as folders, also in folders and in archives. Junk (is_junk_name()) is skipped.
-/// Everything else that is not a picture of a student is ignored with a reason.
+/// Everything else that is not a picture of a student, and what is hidden, is ignored with a
+/// reason.
 ClassFiles find_class_files(const std::string& folder, const std::vector<FoundFile>& references);
 
 /// The name of the folder, or of the archive without its ending.

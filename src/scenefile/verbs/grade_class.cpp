@@ -140,7 +140,9 @@ struct ClassGrader::State {
       : request_(request),
         settings_(request.compare),
         by_causes_(request.compare.thresholds == Thresholds{}),
-        entering_(std::move(entering)) {
+        entering_(std::move(entering)),
+        class_archive_(is_folder(request.handed_in) ? std::string()
+                                                    : follow_links(request.handed_in)) {
     if (by_causes_) {
       settings_.thresholds.min_psnr_db = default_min_psnr_db;
       settings_.look = LookForCauses::always;
@@ -151,6 +153,12 @@ struct ClassGrader::State {
     const std::vector<FoundFile> scenes =
         files_below(request_.scenes.empty() ? request_.references : request_.scenes, is_scene_name);
     files_ = files_below(request_.references, is_picture_name);
+    for (const FoundFile& file : files_) {
+      add_input("reference", file.path);
+    }
+    for (const FoundFile& scene : scenes) {
+      add_input("scene of a reference", scene.path);
+    }
     drop_copies();
     if (const Result<void> read = read_settings(); !read) {
       return read.error();
@@ -197,6 +205,9 @@ struct ClassGrader::State {
   Result<void> find_pictures() {
     ClassFiles found = find_class_files(request_.handed_in, files_);
     ignored_ = std::move(found.ignored);
+    for (const std::string& path : found.paths) {
+      add_input("submitted file", path);
+    }
     std::size_t seen = 0;
     std::size_t matched = 0;
     for (StudentFiles& files : found.students) {
@@ -214,12 +225,12 @@ struct ClassGrader::State {
   std::size_t students() const { return students_.size(); }
   const std::string& student(std::size_t index) const { return students_[index].name; }
   std::size_t pictures() const { return students_.size() * references_.size(); }
-  std::string key_of(std::size_t index) const {
+  std::string key_of(std::size_t index) {
     const Student& student = students_[index];
     Hash name;
     name.add(student.name);
     Hash pictures;
-    const std::vector<Result<std::string>> archived = read_archived_of(student);
+    const std::vector<Result<std::string>> archived = read_archived_of(index);
     for (std::size_t i = 0; i < references_.size(); ++i) {
       // The names of files appear in results.
       const FoundFile* const file = picture_of(student, i);
@@ -252,7 +263,7 @@ struct ClassGrader::State {
     StudentResult result;
     result.name = student.name;
     result.unmatched = student.unmatched;
-    std::vector<Result<std::string>> archived = read_archived_of(student);
+    std::vector<Result<std::string>> archived = read_archived_of(index);
     for (std::size_t i = 0; i < references_.size(); ++i) {
       result.pictures.push_back(
           grade(references_[i], picture_of(student, i), std::move(archived[i]), tell));
@@ -266,6 +277,8 @@ struct ClassGrader::State {
     return result;
   }
 
+  const std::vector<UsedFile>& inputs() const { return inputs_; }
+
   Gradebook empty_book() const {
     Gradebook book;
     book.name = name_of_class(request_.handed_in);
@@ -277,6 +290,10 @@ struct ClassGrader::State {
   }
 
  private:
+  void add_input(std::string_view role, const std::string& path) {
+    inputs_.push_back({path, fmt::format("the {} {}", role, escaped(path))});
+  }
+
   void enter(const char* phase) const {
     if (entering_) {
       entering_(phase);
@@ -291,14 +308,17 @@ struct ClassGrader::State {
     const std::vector<std::string> names = reference_names(files_);
     for (const UnusedPicture& unused : matches.unused) {
       const std::string path = path_below(pictures[unused.picture]);
-      student.unmatched.push_back(path);
+      if (unused.reference < 0) {
+        student.unmatched.push_back(path);
+      }
       std::string reason = "no reference has its name";
       if (unused.reference >= 0) {
         const auto r = static_cast<std::size_t>(unused.reference);
         const std::string taken =
             path_below(pictures[static_cast<std::size_t>(matches.pictures[r])]);
-        student.notes[r].push_back(fmt::format("{} was taken, not {}", taken, path));
-        reason = fmt::format("{} is taken for {}", taken, names[r]);
+        student.notes[r].push_back(
+            fmt::format("two pictures match: {} was graded, {} was not", taken, path));
+        reason = fmt::format("{} is used for {}", taken, names[r]);
       } else if (!unused.several.empty()) {
         reason = "its name fits several references:";
         for (std::size_t i = 0; i < std::min<std::size_t>(unused.several.size(), 4); ++i) {
@@ -321,30 +341,38 @@ struct ClassGrader::State {
     return picture < 0 ? nullptr : &student.pictures[static_cast<std::size_t>(picture)];
   }
 
-  // The bytes of the pictures that are in archives, for each reference; of others, an error.
-  std::vector<Result<std::string>> read_archived_of(const Student& student) const {
-    std::vector<Result<std::string>> bytes(references_.size(), Error{});
-    std::vector<FoundFile> files;
-    std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < references_.size(); ++i) {
-      if (const FoundFile* const file = picture_of(student, i);
-          file != nullptr && !file->entries.empty()) {
-        files.push_back(*file);
-        places.push_back(i);
+  // The bytes of the pictures that are in archives, for each reference; of others, an error. The
+  // archive of a class is read for several students at once: each time, all of it is read.
+  std::vector<Result<std::string>> read_archived_of(std::size_t student) {
+    constexpr std::size_t together = 16;
+    const bool of_class = !class_archive_.empty();
+    if (batch_.empty() || student < batch_start_ || student >= batch_start_ + batch_.size()) {
+      batch_start_ = student;
+      batch_.assign(of_class ? std::min(together, students_.size() - student) : 1,
+                    std::vector<Result<std::string>>(references_.size(), Error{}));
+      std::vector<FoundFile> files;
+      std::vector<Result<std::string>*> places;
+      for (std::size_t s = 0; s < batch_.size(); ++s) {
+        for (std::size_t i = 0; i < references_.size(); ++i) {
+          if (const FoundFile* const file = picture_of(students_[student + s], i);
+              file != nullptr && !file->entries.empty()) {
+            files.push_back(*file);
+            places.push_back(&batch_[s][i]);
+          }
+        }
+      }
+      std::vector<Result<std::string>> read =
+          read_archived(files, of_class ? class_archive_budget : ArchiveBudget());
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        *places[i] = std::move(read[i]);
       }
     }
-    const bool of_class = !files.empty() && files.front().path == request_.handed_in;
-    std::vector<Result<std::string>> read =
-        read_archived(files, of_class ? class_archive_budget : ArchiveBudget());
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      bytes[places[i]] = std::move(read[i]);
-    }
-    return bytes;
+    return batch_[student - batch_start_];
   }
 
   // Below the folder of the class, with the names of archives.
   std::string path_in_class(const FoundFile& file) const {
-    std::string path = file.path == request_.handed_in ? "" : without_folder(file.path);
+    std::string path = file.path == class_archive_ ? "" : without_folder(file.path);
     for (const std::string& entry : file.entries) {
       path += (path.empty() ? "" : "/") + entry;
     }
@@ -379,6 +407,12 @@ struct ClassGrader::State {
     Result<std::string> text = settings_table(request_.references);
     if (!text) {
       return text.error();
+    }
+    for (const std::string& folder : {request_.references, request_.references + "/.."}) {
+      if (std::string path = fmt::format("{}/{}", folder, realtime_table_name);
+          stamp_of(path).exists) {
+        add_input("table", path);
+      }
     }
     std::string wrong;
     table_ = read_realtime_table(*text, wrong);
@@ -599,6 +633,11 @@ struct ClassGrader::State {
   Hash fingerprint_;  // of the references
   std::vector<Student> students_;
   std::vector<IgnoredFile> ignored_;  // of unknown students
+  std::vector<UsedFile> inputs_;
+  std::string class_archive_;  // its path; empty: the class is a folder
+  // The bytes of pictures in archives, of some students and of each reference.
+  std::size_t batch_start_ = 0;
+  std::vector<std::vector<Result<std::string>>> batch_;
   int thumbnail_width_ = 320;
 };
 
@@ -609,8 +648,11 @@ ClassGrader::~ClassGrader() = default;
 Result<ClassGrader> ClassGrader::open(const GradeRequest& request, const LoadShownScene& load_scene,
                                       const std::function<void(const char* phase)>& entering) {
   const bool archive = is_archive_name(request.handed_in) && stamp_of(request.handed_in).exists;
-  for (const std::string& folder :
-       {archive ? std::string() : request.handed_in, request.references, request.scenes}) {
+  if (!archive && !is_folder(request.handed_in)) {
+    return Error{
+        fmt::format("{} is not a readable folder or archive", quoted(request.handed_in, 400))};
+  }
+  for (const std::string& folder : {request.references, request.scenes}) {
     if (!folder.empty() && !is_folder(folder)) {
       return Error{fmt::format("{} is not a readable folder", quoted(folder, 400))};
     }
@@ -637,13 +679,17 @@ std::size_t ClassGrader::pictures() const {
   return state_->pictures();
 }
 
-std::string ClassGrader::key_of(std::size_t student) const {
+std::string ClassGrader::key_of(std::size_t student) {
   return state_->key_of(student);
 }
 
 Result<StudentResult> ClassGrader::grade(std::size_t student,
                                          const std::function<bool(double done)>& go_on) {
   return state_->run(student, go_on);
+}
+
+const std::vector<UsedFile>& ClassGrader::inputs() const {
+  return state_->inputs();
 }
 
 Gradebook ClassGrader::empty_book() const {

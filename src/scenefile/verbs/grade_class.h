@@ -3,6 +3,7 @@
 
 #include "scenefile/base/result.h"
 #include "scenefile/grade/gradebook.h"
+#include "scenefile/io/used_files.h"
 #include "scenefile/verbs/compare_pictures.h"
 #include "scenefile/verbs/grade_files.h"
 
@@ -10,6 +11,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace scenefile {
 
@@ -49,12 +51,16 @@ class ClassGrader {
   std::size_t pictures() const;
 
   /// What the results of a student depend on, except for the options: words of a key (io/item.h).
-  std::string key_of(std::size_t student) const;
+  std::string key_of(std::size_t student);
 
   /// The results do not depend on which other students are graded. Fails only if `go_on` returns
   /// false (ErrorKind::cancelled).
   Result<StudentResult> grade(std::size_t student,
                               const std::function<bool(double done)>& go_on = {});
+
+  /// The files that are read, and the others in the folders of references and of the class: no
+  /// output may replace one of them.
+  const std::vector<UsedFile>& inputs() const;
 
   /// The class without results: its name, and the files that are ignored.
   Gradebook empty_book() const;

@@ -57,6 +57,9 @@ void add_files(const std::string& folder, bool (*wanted)(std::string_view),
     if (files.size() >= max_files) {
       return;
     }
+    if (is_hidden_name(entry.name)) {
+      continue;
+    }
     if (entry.folder && !entry.link) {
       if (above.size() < max_folders) {
         std::vector<std::string> inside = above;

@@ -83,7 +83,7 @@ void load_written_file(LoadedScene& scene, const LoadSettings& settings,
 Result<DecodedPicture> decode_picture_file(std::string_view bytes, const std::string& path,
                                            std::string_view layer, const Limits& limits) {
   const std::string name = escaped(shown_name(path), 4096);
-  if (!is_image(bytes) && is_scene_name(path)) {
+  if (!is_image(bytes) && is_scene_name(path) && has_scene_parts(bytes)) {
     return input_error(fmt::format("{} is a scene, not a picture", name));
   }
   Result<DecodedPicture> picture = decode_picture(bytes, layer, limits);

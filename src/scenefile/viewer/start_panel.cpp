@@ -14,6 +14,9 @@ namespace scenefile::viewer {
 bool list_choices(const std::string& folder, std::vector<Choice>& choices) {
   choices.clear();
   for (FolderEntry& entry : entries_of(folder)) {
+    if (is_hidden_name(entry.name)) {
+      continue;
+    }
     if (entry.folder) {
       choices.push_back({ChoiceKind::folder, std::move(entry.name), std::move(entry.path)});
     } else if (is_scene_name(entry.name)) {

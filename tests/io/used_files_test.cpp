@@ -14,6 +14,13 @@ namespace {
 
 using testing_support::TempFolder;
 
+// Whether writing `b` would replace `a`.
+bool same_file(const std::string& a, const std::string& b) {
+  UsedFiles files;
+  EXPECT_TRUE(files.read({a, "the input"}));
+  return !files.write({b, "the output"});
+}
+
 TEST(SameFile, RecognizesOtherSpellings) {
   const TempFolder folder;
   folder.write("a");

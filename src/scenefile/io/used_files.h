@@ -21,10 +21,6 @@ struct FileIdentity {
   friend std::strong_ordering operator<=>(const FileIdentity&, const FileIdentity&) = default;
 };
 
-/// Whether both paths lead to the same file, or would if it existed. False for paths that UsedFiles
-/// ignores.
-bool same_file(const std::string& a, const std::string& b);
-
 /// A file and what messages call it, such as `the texture image/bricks.png of the scene`.
 struct UsedFile {
   std::string path;

@@ -29,6 +29,12 @@ std::string next_to(const std::string& mesh, const std::string& name) {
 std::vector<MeshReference> files_named_by_mesh(const std::string& mesh, std::string_view obj,
                                                const FetchFile& fetch, const Limits& limits) {
   std::vector<MeshReference> files;
+  const auto add = [&](AssetKind kind, std::string name, const std::string& from) {
+    MeshReference& file = files.emplace_back();
+    file.kind = kind;
+    file.file.name = std::move(name);
+    file.from = from;
+  };
   std::uint64_t budget = limits.mesh_bytes;
   Diagnostics ignored(limits);
   std::set<std::string> known;
@@ -49,7 +55,7 @@ std::vector<MeshReference> files_named_by_mesh(const std::string& mesh, std::str
       if (!known.insert(library).second) {
         continue;
       }
-      files.emplace_back(MeshReference{AssetKind::library, FileReference{library, {}}, mesh});
+      add(AssetKind::library, library, mesh);
       const Result<std::string> text = fetch(library);
       const std::vector<MtlMaterial> materials =
           text ? read_mtl(*text, library, limits, budget, ignored) : std::vector<MtlMaterial>();
@@ -57,7 +63,7 @@ std::vector<MeshReference> files_named_by_mesh(const std::string& mesh, std::str
         for (const FileReference* map :
              {&material.diffuse_map, &material.specular_map, &material.emission_map}) {
           if (!map->name.empty()) {
-            files.push_back({AssetKind::texture, {next_to(mesh, map->name), {}}, library});
+            add(AssetKind::texture, next_to(mesh, map->name), library);
           }
         }
       }

@@ -6,6 +6,7 @@
 #include "scenefile/compare/sheet.h"
 #include "scenefile/format/recognize.h"
 #include "scenefile/io/archive.h"
+#include "scenefile/io/descriptor.h"
 #include "scenefile/io/file.h"
 #include "scenefile/verbs/class_files.h"
 #include "scenefile/verbs/grade_files.h"

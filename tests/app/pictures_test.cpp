@@ -788,7 +788,7 @@ TEST_F(Grade, ArchivesAreFoldersAndNobodyIsLost) {
                     HasSubstr("    stray.png: its name does not say whose picture it is\n"),
                     HasSubstr("    ida.zip/ball.png: protected by a password\n"),
                     HasSubstr("    jon.zip: it cannot be read as an archive: "),
-                    HasSubstr("    ada/ball_gen.png: ball.png is taken for test_ball\n")));
+                    HasSubstr("    ada/ball_gen.png: ball.png is used for test_ball\n")));
   std::vector<std::string> more = words;
   more.insert(more.end(), {"--json", "--csv-students", "s.csv"});
   const rapidjson::Document document = parse_json(in_folder(more).out);
@@ -799,7 +799,7 @@ TEST_F(Grade, ArchivesAreFoldersAndNobodyIsLost) {
   const rapidjson::Value& notes = document["students"][0]["pictures"][0]["notes"];
   ASSERT_EQ(notes.Size(), 3U);
   EXPECT_STREQ(notes[0].GetString(), "the file is that of the reference, byte for byte");
-  EXPECT_STREQ(notes[1].GetString(), "ball.png was taken, not ball_gen.png");
+  EXPECT_STREQ(notes[1].GetString(), "two pictures match: ball.png was graded, ball_gen.png was not");
   EXPECT_STREQ(notes[2].GetString(), "identical files: ada, hal, smithjohn");
   EXPECT_THAT(folder.read("s.csv"), HasSubstr("\"ida\",0,1,0,1,0,1\r\n"));
   // A store gives the same answer.

@@ -455,7 +455,9 @@ class ClassBuilder {
     std::set<std::string> paths{listing.gradescope_path};
     for (const Item& item : listing.items) {
       paths_.push_back(joined(item.file.folders, file_name(item.file)));
-      paths.insert(item.file.path);
+      if (item.reason != not_a_picture) {
+        paths.insert(item.file.path);
+      }
     }
     result_.paths.assign(paths.begin(), paths.end());
     unwrap(listing.items, references_, !is_folder(folder_));

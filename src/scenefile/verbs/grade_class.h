@@ -58,8 +58,7 @@ class ClassGrader {
   Result<StudentResult> grade(std::size_t student,
                               const std::function<bool(double done)>& go_on = {});
 
-  /// The files that are read, and the others in the folders of references and of the class: no
-  /// output may replace one of them.
+  /// The files of the references and of the class, used or not: no output may replace one of them.
   const std::vector<UsedFile>& inputs() const;
 
   /// The class without results: its name, and the files that are ignored.

@@ -120,6 +120,9 @@ class Assembler {
         return nullptr;
       }
       layer_colors(layer, *values, ranges_[index], options_.render.max_depth, row.data());
+      if (tones() && is_path_light(layer.kind)) {
+        map_tones(row, options_.tone, options_.exposure, white_);
+      }
       return row.data();
     };
     return stream_png(store_.width(), height(), 8, Rounding::nearest, colors_of, sink);

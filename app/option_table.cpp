@@ -638,11 +638,13 @@ constexpr std::array option_rows{
         for_render | for_frames, set_crop, "crop"},
     OptionRow{"--aov", "", "LIST",
               "Layers in addition to the picture, separated by commas: depth, normal, uv, albedo, "
-              "object-id, light-1 (light-2, ...), shadow, reflection-depth. Into the same .exr, or "
-              "for x.png into x.depth.png and so on.",
+              "object-id, light-1 (light-2, ...), shadow, reflection-depth; with --mode path "
+              "normal, albedo, direct, bounce-0 (bounce-1, ...), specular, variance, samples. Into "
+              "the same .exr, or for x.png into x.depth.png and so on.",
               for_render | for_frames, set_layers, "layers"},
     OptionRow{"--denoise", "", "",
-              "Remove the noise of area lights and lenses with few samples, for the profile fine.",
+              "Remove the noise of area lights and lenses with few samples, for the profile fine; "
+              "with --mode path all noise.",
               for_render | for_frames, set_flag_of<&Options::render, &RenderOptions::denoise>,
               "denoise"},
     OptionRow{"--window", "", "WxH", "Size of the window (default: the last size).", for_view,

@@ -9,6 +9,7 @@
 #include "scenefile/base/text.h"
 #include "scenefile/format/recognize.h"
 #include "scenefile/io/file.h"
+#include "scenefile/trace/layers.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -218,6 +219,19 @@ std::string check_support(const Command& command, const Options& options) {
                  ? fmt::format("{} has no effect on paths: leave it out, or --mode path", row->name)
                  : fmt::format("{0} is for path tracing: leave it out, or add --mode path",
                                row->name);
+    }
+  }
+  for (const Layer& layer : options.render.layers) {
+    if (!has_layer(options.render.mode, layer.kind)) {
+      return options.render.mode == Mode::path
+                 ? fmt::format(
+                       "--aov: mode path has no layer {}; it has normal, albedo, direct, "
+                       "bounce-N, specular, variance and samples",
+                       layer_name(layer))
+                 : fmt::format(
+                       "--aov: {} is a layer of path tracing: leave it out, or add --mode "
+                       "path",
+                       layer_name(layer));
     }
   }
   const int samples = options.render.samples;
@@ -479,6 +493,8 @@ void set_path_mode(Options& options) {
 bool excludes_path_mode(const Options& options) {
   return options.engine != Engine::trace || options.render.profile != Profile::fine ||
          was_given(options, "--mode") ||
+         std::any_of(options.render.layers.begin(), options.render.layers.end(),
+                     [](const Layer& layer) { return !has_layer(Mode::path, layer.kind); }) ||
          std::any_of(options.given.begin(), options.given.end(), [](const GivenOption& given) {
            return !supports_option(Mode::path, support_for(*given.row));
          });

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace scenefile::app {
 
 namespace {
@@ -104,10 +106,13 @@ Outcome write_pictures(const Options& options, const RenderResult& result, Conte
   const int max_depth = options.render.max_depth;
   for (std::size_t i = 0; i < result.layers.size() && outcome.error.empty(); ++i) {
     const Layer& layer = options.render.layers[i];
+    Image picture = layer_picture(layer, result.layers[i], image.width, image.height, max_depth);
+    if (is_path_light(layer.kind)) {
+      map_tones(picture.rgb, options.tone, options.exposure,
+                brightest(result.image.rgb, options.exposure));
+    }
     outcome =
-        write_image(layer_file(options.output, layer),
-                    layer_picture(layer, result.layers[i], image.width, image.height, max_depth),
-                    Rounding::nearest, key, context);
+        write_image(layer_file(options.output, layer), picture, Rounding::nearest, key, context);
   }
   return outcome;
 }

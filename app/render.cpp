@@ -94,6 +94,7 @@ class Drawing {
     }
     RenderResult result;
     result.image = std::move(path.image);
+    result.layers = std::move(path.layers);
     result.status = path.status;
     result.stats = path.stats;
     return result;

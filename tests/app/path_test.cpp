@@ -110,9 +110,8 @@ name="cube"><diffuse r="1" g="0.8" b="0.6"/></object></transblock>
 TEST_F(PathCommand, RefusesWhatItDoesNotHave) {
   const Words path{"--mode", "path"};
   for (const Words& more :
-       {Words{"--fresnel"}, Words{"--denoise"}, Words{"--aov", "depth"},
-        Words{"--min-samples", "2"}, Words{"--features", "none"}, Words{"--engine", "gl"},
-        Words{"--profile", "course"}, Words{"--profile", "realtime"}}) {
+       {Words{"--fresnel"}, Words{"--min-samples", "2"}, Words{"--features", "none"},
+        Words{"--engine", "gl"}, Words{"--profile", "course"}, Words{"--profile", "realtime"}}) {
     const ProgramRun run = render("a.png", path + more);
     EXPECT_EQ(run.status, 2) << more[0] << run.err;
     EXPECT_THAT(run.err, HasSubstr("--mode")) << more[0];
@@ -131,6 +130,48 @@ TEST_F(PathCommand, RefusesWhatItDoesNotHave) {
       {"explain", scene, "--pixel", "5,5", "--mode", "path", "--mine", folder.path("a.png")});
   EXPECT_EQ(mine.status, 2);
   EXPECT_THAT(mine.err, HasSubstr("--mine has no effect on paths"));
+}
+
+TEST_F(PathCommand, WritesLayersAndDenoises) {
+  const Words path{"--mode", "path", "--samples", "4"};
+  ASSERT_EQ(render("plain.png", path).status, 0);
+  const ProgramRun png = render("a.png", path + Words{"--aov", "direct,bounce-2,samples"});
+  EXPECT_EQ(png.status, 0) << png.err;
+  EXPECT_EQ(folder.read("a.png"), folder.read("plain.png"));
+  for (const char* const name : {"a.direct.png", "a.bounce-2.png", "a.samples.png"}) {
+    EXPECT_TRUE(decode_image(folder.read(name))) << name;
+  }
+  const Result<Texture> direct = decode_image(folder.read("a.direct.png"));
+  ASSERT_TRUE(direct);
+  EXPECT_GT(direct->texel(16, 12)[0], 60);
+  EXPECT_EQ(decode_image(folder.read("a.samples.png"))->texel(3, 3)[0], 255);
+  if (SCENEFILE_OPENEXR) {
+    EXPECT_EQ(render("a.exr", path + Words{"--aov", "specular,variance", "--denoise"}).status, 0);
+    EXPECT_THAT(folder.read("a.exr"), AllOf(HasSubstr("specular.R"), HasSubstr("variance.Y")));
+  }
+  ASSERT_EQ(render("d.png", path + Words{"--denoise"}).status, 0);
+  // The same in bands.
+  for (int i = 1; i <= 3; ++i) {
+    const ProgramRun part =
+        render("s.png", path + Words{"--aov", "direct,variance", "--denoise", "--store",
+                                     folder.path("store"), "--part", std::to_string(i) + "/3"});
+    EXPECT_EQ(part.status, 0) << part.err;
+  }
+  ASSERT_EQ(render("w.png", path + Words{"--aov", "direct,variance", "--denoise"}).status, 0);
+  EXPECT_EQ(folder.read("w.png"), folder.read("d.png"));
+  for (const std::string name : {"", ".direct", ".variance"}) {
+    EXPECT_TRUE(decode_image(folder.read("s" + name + ".png"))->rgb ==
+                decode_image(folder.read("w" + name + ".png"))->rgb)
+        << name;
+  }
+  const ProgramRun depth = render("b.png", path + Words{"--aov", "normal,depth"});
+  EXPECT_EQ(depth.status, 2);
+  EXPECT_THAT(depth.err, HasSubstr("mode path has no layer depth"));
+  const ProgramRun ray = render("b.png", {"--aov", "bounce-3"});
+  EXPECT_EQ(ray.status, 2);
+  EXPECT_THAT(ray.err, HasSubstr("bounce-3 is a layer of path tracing"));
+  EXPECT_EQ(render("b.png", path + Words{"--aov", "bounce-x"}).status, 2);
+  EXPECT_EQ(render("b.png", path + Words{"--aov", "bounce-01"}).status, 2);
 }
 
 TEST_F(PathCommand, ExplainsAPixel) {

@@ -10,6 +10,7 @@
 namespace scenefile::path_test {
 namespace {
 
+using glm::dvec3;
 using std::numbers::pi;
 
 // A closed box from -1 to 1 whose walls all have this material, seen from inside.
@@ -69,6 +70,39 @@ TEST(PathFurnace, ObjectMaterials) {
   Room room = closed_box(diffuse(glm::vec3(0.5f), glm::vec3(0.25f)));
   room.add(Shape::sphere, Affine{glm::mat3(0.8f), glm::vec3(-0.3f, 0, -0.5f)}, room.material(m));
   expect_everywhere(draw(room, path_options(8, 8, 2048)).image, 0.5, 1e-3);
+}
+
+// The glossy lobe reflects less where the horizon cuts it. Once reflected, uniform light E becomes
+// E times the albedo for the direction of view.
+TEST(PathFurnace, GlossyWallsReflectTheirAlbedo) {
+  for (const float shininess : {0.0f, 1.0f, 20.0f, 500.0f}) {
+    FaceMaterial walls = glossy(glm::vec3(0.8f), shininess);
+    walls.emission = glm::vec3(0.25f);
+    Room room = closed_box(walls);
+    room.look({0.3, 0.2, 0.5}, {-0.4, -1, 0.1}, 1e-3);
+    const dvec3 to_eye = glm::normalize(dvec3(0.3, 0.2, 0.5) - dvec3(-0.4, -1, 0.1));
+    const Facing facing{{0, 1, 0}, {0, 1, 0}, to_eye, true};
+    Bsdf bsdf;
+    bsdf.glossy = Color(0.8f);
+    bsdf.shininess = shininess;
+    double albedo = 0;
+    constexpr int rows = 600;
+    for (int i = 0; i < rows; ++i) {
+      const double up = (i + 0.5) / rows;
+      for (int j = 0; j < 4 * rows; ++j) {
+        const double turn = 2 * pi * (j + 0.5) / (4 * rows);
+        const double out = std::sqrt(1 - up * up);
+        albedo += evaluate(bsdf, facing, {out * std::cos(turn), up, out * std::sin(turn)}).light.x *
+                  2 * pi / (4.0 * rows * rows);
+      }
+    }
+    for (const int light_samples : {0, 1}) {
+      RenderOptions options = path_options(2, 2, 16384);
+      options.max_depth = 1;
+      options.light_samples = light_samples;
+      expect_everywhere(draw(room, options).image, 0.25 * (1 + albedo), 3e-3);
+    }
+  }
 }
 
 // A floor under a rectangular lamp; the camera looks at the origin.
@@ -260,6 +294,33 @@ TEST(PathLight, CoincidentFacesDoNotDarken) {
 }
 
 // A lamp made of two faces at the same place shines to both sides, for paths and for light samples.
+// A lamp in the plane of the ceiling, whichever of the two comes first, shines like one just below.
+// Where it is hidden, the ceiling also reflects light there.
+TEST(PathLight, LampsInThePlaneOfOtherFacesShine) {
+  const auto mean = [](float height, bool lamp_first) {
+    Room room;
+    Model model;
+    const std::uint32_t lamp = model.material(diffuse(glm::vec3(0), glm::vec3(12)));
+    const auto add_lamp = [&] {
+      model.quad({-0.3f, height, -0.3f}, {0.6f, 0, 0}, {0, 0, 0.6f}, lamp);
+    };
+    if (lamp_first) {
+      add_lamp();
+    }
+    model.box({-1, 0, -1}, {1, 2, 1}, true, model.material(diffuse(glm::vec3(0.6f))));
+    if (!lamp_first) {
+      add_lamp();
+    }
+    room.add(model);
+    room.look({0, 1.2, 0.95}, {0, 0, -0.3}, 60);  // does not see the lamp
+    return mean_of(draw(room, path_options(16, 16, 256)).image).x;
+  };
+  const double below = mean(1.9999f, false);
+  for (const bool lamp_first : {false, true}) {
+    EXPECT_NEAR(mean(2, lamp_first), below, 0.02 * below) << lamp_first;
+  }
+}
+
 TEST(PathLight, FacesBackToBackShineToBothSides) {
   for (const bool below : {false, true}) {
     for (const int light_samples : {0, 1}) {

@@ -168,7 +168,7 @@ TEST(PathPicture, OptionsSaySoWhereTheyHaveNoEffect) {
     EXPECT_TRUE(supports_option(Mode::path, support_of(name))) << name;
     EXPECT_FALSE(supports_option(Mode::ray, support_of(name))) << name;
   }
-  for (const char* const name : {"features", "denoise", "layers", "min_samples", "fresnel"}) {
+  for (const char* const name : {"features", "min_samples", "fresnel"}) {
     EXPECT_FALSE(supports_option(Mode::path, support_of(name))) << name;
     EXPECT_TRUE(supports_option(Mode::ray, support_of(name))) << name;
   }

@@ -68,6 +68,8 @@ RenderStatus explain_path(const RenderScene& scene, const Assets& assets,
   pixel.options = paths.options;
   RenderOptions only = paths.options;
   only.crop = PixelRegion{x, y, x + 1, y + 1};
+  only.denoise = false;
+  only.layers.clear();
   PathState state = make_path_state(only);
   RayCounts counts;
   for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(only.samples); ++i) {

@@ -1,6 +1,8 @@
 #include "scenefile/path/path_state.h"
 
 #include "scenefile/path/path_kernel.h"
+#include "scenefile/path/path_layers.h"
+#include "scenefile/trace/denoise.h"
 #include "scenefile/trace/tiles.h"
 
 #include <algorithm>
@@ -9,14 +11,26 @@
 
 namespace scenefile {
 
+PixelRegion drawn_pixels(const RenderOptions& options) {
+  return options.crop.value_or(PixelRegion{0, 0, options.width, options.height});
+}
+
 PathState make_path_state(const RenderOptions& options) {
   const RenderOptions valid = in_range(options);
   PathState state;
-  state.region = valid.crop.value_or(PixelRegion{0, 0, valid.width, valid.height});
+  state.region = drawn_pixels(valid);
+  if (valid.denoise) {
+    PixelRegion& r = state.region;
+    r = {std::max(0, r.x0 - path_denoise_reach), std::max(0, r.y0 - path_denoise_reach),
+         std::min(valid.width, r.x1 + path_denoise_reach),
+         std::min(valid.height, r.y1 + path_denoise_reach)};
+  }
   const std::size_t pixels = std::size_t(state.region.width()) * state.region.height();
   state.sums.resize(pixels);
   state.squares.resize(pixels);
   state.counts.resize(pixels);
+  state.layers.resize(valid.layers.size(), std::vector<glm::dvec3>(pixels));
+  state.guides.resize(valid.denoise ? pixels : 0);
   return state;
 }
 
@@ -35,18 +49,25 @@ RenderStatus add_samples(const PathScene& scene, std::uint32_t samples, PathStat
                          const Progress& progress, RenderStats& stats) {
   const PixelRegion& region = state.region;
   std::atomic<std::uint64_t> primary{0}, shadow{0}, secondary{0}, dropped{0};
+  const bool recorded = !state.layers.empty() || !state.guides.empty();
   Watch watch(progress);
   const auto given_up = [&] { return watch.stopped() || scene.tracer.accelerator.overwhelmed(); };
   Pieces tiles(region.width(), region.height());
   for_each_piece(tiles, {}, watch, [&](const Tile& tile) {
     RayCounts counts;
     std::uint64_t bad = 0;
+    PathRecord path;
     for (int y = tile.y0; y < tile.y1 && !given_up(); ++y) {
       for (int x = tile.x0; x < tile.x1; ++x) {
         const std::size_t at = std::size_t(y) * region.width() + x;
         while (state.counts[at] < samples) {
-          bad += !add_sample(
-              path_light(scene, region.x0 + x, region.y0 + y, state.counts[at], counts), at, state);
+          const Color light = path_light(scene, region.x0 + x, region.y0 + y, state.counts[at],
+                                         counts, recorded ? &path : nullptr);
+          const bool finite = add_sample(light, at, state);
+          bad += finite ? 0 : 1;
+          if (recorded && finite) {
+            add_layers(path, scene.options, at, state);
+          }
         }
       }
     }

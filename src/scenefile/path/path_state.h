@@ -14,14 +14,27 @@
 
 namespace scenefile {
 
+/// Sums over the samples of a pixel, for denoising.
+struct PathGuides {
+  glm::dvec3 squares{0};  ///< of the samples
+  glm::dvec3 normal{0};   ///< of the first surface
+  glm::dvec3 albedo{0};   ///< all that it reflects, and up to 1 of what it emits
+  double albedo_squares = 0;
+};
+
 /// Arrays hold the pixels of `region`, row by row.
 struct PathState {
-  PixelRegion region;                 ///< the crop, or the whole picture
+  PixelRegion region;  ///< the crop, or the whole picture; larger if denoising needs more pixels
   std::vector<glm::dvec3> sums;       ///< of the samples
   std::vector<double> squares;        ///< of the luminance of the samples
   std::vector<std::uint32_t> counts;  ///< samples; different between pixels only after cancelling
-  std::uint64_t dropped = 0;          ///< samples that were not finite, and count as black
+  std::vector<std::vector<glm::dvec3>> layers;  ///< by RenderOptions::layers: sums
+  std::vector<PathGuides> guides;               ///< to denoise; otherwise empty
+  std::uint64_t dropped = 0;  ///< samples that were not finite, and count as black
 };
+
+/// The crop, or the whole picture.
+PixelRegion drawn_pixels(const RenderOptions& options);
 
 /// The state before the first sample.
 PathState make_path_state(const RenderOptions& options);
@@ -39,6 +52,14 @@ RenderStatus add_samples(const PathScene& scene, std::uint32_t samples, PathStat
 
 /// The mean of the samples; linear.
 Image image_of(const PathState& state);
+
+/// The same denoised: each pixel is a mean of pixels around it that only differ by noise
+/// (trace/denoise.h). state.guides must be there.
+Image denoised_image_of(const PathState& state);
+
+/// The layers of the options for the pixels of `crop`, a part of state.region.
+std::vector<ImageLayer> layers_of(const PathState& state, const RenderOptions& options,
+                                  const PixelRegion& crop);
 
 /// The variance of the mean of each pixel's luminance, assuming independent samples: an upper
 /// bound, because they are stratified. 0 if there is only one sample.

@@ -1,6 +1,7 @@
 #include "scenefile/path/render_path.h"
 
 #include "scenefile/path/path_scene.h"
+#include "scenefile/trace/picture_state.h"
 #include "scenefile/trace/tasks.h"
 
 #include <algorithm>
@@ -64,7 +65,10 @@ PathResult render_path(const RenderScene& scene, const Assets& assets, const Ren
   if (result.status == RenderStatus::complete) {
     draw_passes(PathScene(traced, scene, options), control, start, result);
   }
-  result.image = image_of(result.state);
+  const PixelRegion drawn = drawn_pixels(in_range(options));
+  result.image = cut(options.denoise ? denoised_image_of(result.state) : image_of(result.state),
+                     result.state.region, drawn);
+  result.layers = layers_of(result.state, in_range(options), drawn);
   result.stats.trace_seconds = elapsed_since(tracing);
   return result;
 }

@@ -18,8 +18,9 @@ struct PathControl {
 
 struct PathResult {
   PathState state;
-  Image image;                ///< linear
-  std::uint32_t samples = 0;  ///< per pixel; if cancelled the fewest
+  Image image;                     ///< linear; denoised if options.denoise
+  std::vector<ImageLayer> layers;  ///< of options.layers that mode path has; others are 0
+  std::uint32_t samples = 0;       ///< per pixel; if cancelled the fewest
   RenderStatus status = RenderStatus::complete;
   RenderStats stats;
 };

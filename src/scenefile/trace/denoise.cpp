@@ -20,9 +20,8 @@ constexpr float albedo_width = 0.02f;
 constexpr float coverage_width = 0.05f;
 constexpr float plane_width = 0.05f;  // sine of the angle to the tangent plane
 
-constexpr float color_width = 0.7f;      // in standard errors
-constexpr float invisible = 1.0f / 512;  // standard errors that are invisible in 8 bits
-constexpr float max_errors = 3;          // by which a channel may change
+constexpr float color_width = 0.7f;  // in standard errors
+constexpr float max_errors = 3;      // by which a channel may change
 constexpr float negligible_weight = 1e-3f;
 
 float square(float x) {
@@ -40,8 +39,16 @@ float excess(float squared_difference, float variance, float width) {
 
 class Filter {
  public:
-  Filter(int width, int height, const std::vector<PixelStatistics>& pixels, bool sharp)
-      : width_(width), height_(height), pixels_(pixels), sharp_(sharp), variances_(pixels.size()) {}
+  Filter(int width, int height, const std::vector<PixelStatistics>& pixels, bool sharp,
+         float invisible)
+      : width_(width),
+        height_(height),
+        pixels_(pixels),
+        sharp_(sharp),
+        invisible_(invisible),
+        // Keeps quotients finite.
+        least_variance_(invisible > 0 ? 1e-7f : 1e-30f),
+        variances_(pixels.size()) {}
 
   std::vector<glm::vec3> run() {
     std::vector<glm::vec3> colors(pixels_.size());
@@ -126,7 +133,7 @@ class Filter {
       const float of_p = variances_[p][c];
       const float of_q = variances_[q][c];
       sum += (difference - (of_p + std::min(of_p, of_q))) /
-             (square(color_width) * (of_p + of_q) + 1e-7f);
+             (square(color_width) * (of_p + of_q) + least_variance_);
     }
     return sum;
   }
@@ -136,7 +143,7 @@ class Filter {
   glm::vec3 filtered(int x, int y) const {
     const PixelStatistics& p = pixels_[index(x, y)];
     const glm::vec3 error = glm::sqrt(variances_[index(x, y)]);
-    if (std::max({error.x, error.y, error.z}) < invisible) {
+    if (const float most = std::max({error.x, error.y, error.z}); most < invisible_ || most == 0) {
       return p.rest + p.scale * p.signal;
     }
     glm::vec3 sum(0);
@@ -159,14 +166,16 @@ class Filter {
   int height_;
   const std::vector<PixelStatistics>& pixels_;
   bool sharp_;
+  float invisible_;
+  float least_variance_;
   std::vector<glm::vec3> variances_;
 };
 
 }  // namespace
 
 std::vector<glm::vec3> denoised(int width, int height, const std::vector<PixelStatistics>& pixels,
-                                bool sharp) {
-  return Filter(width, height, pixels, sharp).run();
+                                bool sharp, float invisible) {
+  return Filter(width, height, pixels, sharp, invisible).run();
 }
 
 }  // namespace scenefile

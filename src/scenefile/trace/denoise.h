@@ -34,7 +34,9 @@ inline constexpr int denoise_reach = 10;
 /// of its pixel, so exact values are unchanged. `sharp`: all samples of a pixel see the same place
 /// of the scene, except for the extent of the pixel (no lens). Then guides mark edges exactly, the
 /// signal is the light on the surface without its texture, and the albedo is not a guide.
+/// `invisible`: pixels whose standard error is less are unchanged; the default suits values that 8
+/// bits show. With 0 the result is proportional to the signals, for pictures of any brightness.
 std::vector<glm::vec3> denoised(int width, int height, const std::vector<PixelStatistics>& pixels,
-                                bool sharp);
+                                bool sharp, float invisible = 1.0f / 512);
 
 }  // namespace scenefile

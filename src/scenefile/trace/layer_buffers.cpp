@@ -62,6 +62,11 @@ glm::dvec3 value_of(LayerKind kind, const Means& means, std::size_t light) {
     case LayerKind::depth:
     case LayerKind::uv:
     case LayerKind::object_id:
+    case LayerKind::direct:
+    case LayerKind::bounce:
+    case LayerKind::specular:
+    case LayerKind::variance:
+    case LayerKind::samples:
       break;
   }
   return glm::dvec3(0);

@@ -9,22 +9,27 @@ namespace scenefile {
 namespace {
 
 constexpr std::string_view light_prefix = "light-";
+constexpr std::string_view bounce_prefix = "bounce-";
 
 bool parse_layer(std::string_view word, Layer& layer) {
   const auto found = std::find(layer_words.begin(), layer_words.end(), word);
   layer.kind = static_cast<LayerKind>(found - layer_words.begin());
-  layer.light = 0;
+  layer.light = layer.kind == LayerKind::bounce ? 1 : 0;
   if (found != layer_words.end()) {
     return true;
   }
-  if (!word.starts_with(light_prefix)) {
+  const bool bounce = word.starts_with(bounce_prefix);
+  if (!bounce && !word.starts_with(light_prefix)) {
     return false;
   }
-  layer.kind = LayerKind::light;
-  const std::string_view number = word.substr(light_prefix.size());
+  layer.kind = bounce ? LayerKind::bounce : LayerKind::light;
+  const std::string_view number = word.substr(word.find('-') + 1);
   const char* const end = number.data() + number.size();
   const auto [rest, error] = std::from_chars(number.data(), end, layer.light);
-  return error == std::errc() && rest == end && number.front() != '0' && layer.light-- > 0;
+  if (error != std::errc() || rest != end || (number.front() == '0' && number.size() > 1)) {
+    return false;
+  }
+  return bounce || layer.light-- > 0;
 }
 
 std::vector<std::string> channels_of(LayerKind kind) {
@@ -37,11 +42,16 @@ std::vector<std::string> channels_of(LayerKind kind) {
       return {"U", "V"};
     case LayerKind::albedo:
     case LayerKind::light:
+    case LayerKind::direct:
+    case LayerKind::bounce:
+    case LayerKind::specular:
       return {"R", "G", "B"};
     case LayerKind::object_id:
       return {"ID"};
     case LayerKind::shadow:
     case LayerKind::reflection_depth:
+    case LayerKind::variance:
+    case LayerKind::samples:
       break;
   }
   return {"Y"};
@@ -66,11 +76,10 @@ glm::vec3 color_of_id(float id) {
   return color;
 }
 
-glm::vec3 color_of(const Layer& layer, const float* value, const ValueRange& depths,
-                   int max_depth) {
+glm::vec3 color_of(const Layer& layer, const float* value, const ValueRange& range, int max_depth) {
   switch (layer.kind) {
     case LayerKind::depth:
-      return glm::vec3(std::isfinite(*value) ? 1 - share(depths, *value) : 0);
+      return glm::vec3(std::isfinite(*value) ? 1 - share(range, *value) : 0);
     case LayerKind::normal: {
       const glm::vec3 n(value[0], value[1], value[2]);
       return n == glm::vec3(0) ? n : 0.5f * (n + 1.0f);
@@ -81,7 +90,13 @@ glm::vec3 color_of(const Layer& layer, const float* value, const ValueRange& dep
       return color_of_id(*value);
     case LayerKind::albedo:
     case LayerKind::light:
+    case LayerKind::direct:
+    case LayerKind::bounce:
+    case LayerKind::specular:
       return {value[0], value[1], value[2]};
+    case LayerKind::variance:
+    case LayerKind::samples:
+      return glm::vec3(range.most > 0 ? *value / range.most : 0);
     case LayerKind::shadow:
       return glm::vec3(*value);
     case LayerKind::reflection_depth:
@@ -112,6 +127,9 @@ std::string_view parse_layers(std::string_view list, std::vector<Layer>& layers)
 std::string layer_name(const Layer& layer) {
   if (layer.kind == LayerKind::light) {
     return std::string(light_prefix) + std::to_string(layer.light + 1);
+  }
+  if (layer.kind == LayerKind::bounce) {
+    return std::string(bounce_prefix) + std::to_string(layer.light);
   }
   return std::string(word_of(layer.kind));
 }

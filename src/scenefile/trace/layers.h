@@ -1,6 +1,7 @@
 #pragma once
 // Names of layers, and layers as pictures: `depth normal uv albedo object-id light-1 shadow
-// reflection-depth`. Their contents: LayerKind and docs/layers.md.
+// reflection-depth direct bounce-1 specular variance samples`. Their contents: LayerKind and
+// docs/layers.md.
 
 #include "scenefile/base/shape.h"
 #include "scenefile/trace/render.h"
@@ -13,7 +14,7 @@
 
 namespace scenefile {
 
-/// The name of a kind; that of the first light represents all lights.
+/// The name of a kind; those of the first light and bounce represent all of them.
 constexpr std::string_view word_of(LayerKind kind) {
   switch (kind) {
     case LayerKind::depth:
@@ -32,12 +33,34 @@ constexpr std::string_view word_of(LayerKind kind) {
       return "shadow";
     case LayerKind::reflection_depth:
       return "reflection-depth";
+    case LayerKind::direct:
+      return "direct";
+    case LayerKind::bounce:
+      return "bounce-1";
+    case LayerKind::specular:
+      return "specular";
+    case LayerKind::variance:
+      return "variance";
+    case LayerKind::samples:
+      return "samples";
   }
   return {};
 }
 inline constexpr auto layer_words = words_of<LayerKind>();
 
-/// Parses a comma-separated list of names; light-1 is the scene's first light. Returns the first
+/// Whether pictures of a mode have a layer.
+constexpr bool has_layer(Mode mode, LayerKind kind) {
+  const bool of_both = kind == LayerKind::normal || kind == LayerKind::albedo;
+  return of_both || (kind >= LayerKind::direct) == (mode == Mode::path);
+}
+
+/// Whether a layer is light of mode path, which is shown with the tone curve of the picture.
+constexpr bool is_path_light(LayerKind kind) {
+  return kind == LayerKind::direct || kind == LayerKind::bounce || kind == LayerKind::specular;
+}
+
+/// Parses a comma-separated list of names; light-1 is the scene's first light, bounce-0 what
+/// lamps emit toward the camera. Returns the first
 /// name that is unknown or repeated; empty on success. Does not check whether the lights exist.
 std::string_view parse_layers(std::string_view list, std::vector<Layer>& layers);
 
@@ -65,7 +88,7 @@ ValueRange joined(const ValueRange& a, const ValueRange& b);
 /// A layer as a picture in [0, 1], for formats that only store colors. Depth is white at the
 /// nearest point and black at the farthest or if nothing is hit; normals are (n + 1) / 2, black if
 /// nothing is hit; u is red and v is green; each object-id has a different color; reflection-depth
-/// is divided by `max_depth`; others are unchanged.
+/// is divided by `max_depth`, variance and samples by their largest value; others are unchanged.
 Image layer_picture(const Layer& layer, const ImageLayer& values, int width, int height,
                     int max_depth);
 /// The same for some of the pixels; `range` is that of the whole layer. Writes 3 numbers per pixel.

@@ -95,8 +95,8 @@ constexpr void visit_options(T& options, Visit&& visit) {
                     .most = 1024},
         threads);
   visit(OptionField{"crop", tracer_only, true, InAnswers::when_set}, crop);
-  visit(OptionField{"layers", {.gl = false, .path = false}, true, InAnswers::when_set}, layers);
-  visit(OptionField{"denoise", fine_rays_only, true, InAnswers::when_set}, denoise);
+  visit(OptionField{"layers", tracer_only, true, InAnswers::when_set}, layers);
+  visit(OptionField{"denoise", fine_tracer_only, true, InAnswers::when_set}, denoise);
   visit(OptionField{.name = "light_samples", .support = path_only, .most = 1024}, light_samples);
   visit(OptionField{"mis", path_only}, mis);
   visit(OptionField{"direct_only", path_only}, direct_only);

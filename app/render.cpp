@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <chrono>
 #include <future>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <thread>
@@ -184,12 +185,13 @@ Outcome draw_bands(const Options& options, LoadedScene& scene, const std::vector
           result.status == RenderStatus::cancelled ? "; the same command continues" : "";
       return outcome;
     }
-    // Deferred if there is no other thread.
+    // Deferred if there is no other thread; not a temporary, because a failed start would empty it.
+    const auto write = [&store, band, made = std::make_shared<RenderResult>(std::move(result))] {
+      return store.write(band, std::move(*made));
+    };
     writing = std::async(options.render.threads == 1 ? std::launch::deferred
                                                      : std::launch::async | std::launch::deferred,
-                         [&store, band, made = std::move(result)]() mutable {
-                           return store.write(band, std::move(made));
-                         });
+                         write);
     before += band.rows();
   }
   context.phase = "writing a band";

@@ -150,19 +150,21 @@ TEST_F(PathCommand, WritesLayersAndDenoises) {
     EXPECT_THAT(folder.read("a.exr"), AllOf(HasSubstr("specular.R"), HasSubstr("variance.Y")));
   }
   ASSERT_EQ(render("d.png", path + Words{"--denoise"}).status, 0);
-  // The same in bands.
-  for (int i = 1; i <= 3; ++i) {
-    const ProgramRun part =
-        render("s.png", path + Words{"--aov", "direct,variance", "--denoise", "--store",
-                                     folder.path("store"), "--part", std::to_string(i) + "/3"});
+  // The same from a store, in shares.
+  const Words stored =
+      path + Words{"--aov", "direct,variance", "--denoise", "--store", folder.path("store")};
+  for (const char* const share : {"1/2", "2/2"}) {
+    const ProgramRun part = render("s.png", stored + Words{"--part", share});
     EXPECT_EQ(part.status, 0) << part.err;
   }
+  ASSERT_EQ(render("s.png", stored).status, 0);
   ASSERT_EQ(render("w.png", path + Words{"--aov", "direct,variance", "--denoise"}).status, 0);
   EXPECT_EQ(folder.read("w.png"), folder.read("d.png"));
   for (const std::string name : {"", ".direct", ".variance"}) {
-    EXPECT_TRUE(decode_image(folder.read("s" + name + ".png"))->rgb ==
-                decode_image(folder.read("w" + name + ".png"))->rgb)
-        << name;
+    const Result<Texture> assembled = decode_image(folder.read("s" + name + ".png"));
+    const Result<Texture> whole = decode_image(folder.read("w" + name + ".png"));
+    ASSERT_TRUE(assembled && whole) << name;
+    EXPECT_TRUE(assembled->rgb == whole->rgb) << name;
   }
   const ProgramRun depth = render("b.png", path + Words{"--aov", "normal,depth"});
   EXPECT_EQ(depth.status, 2);

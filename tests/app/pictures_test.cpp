@@ -799,7 +799,8 @@ TEST_F(Grade, ArchivesAreFoldersAndNobodyIsLost) {
   const rapidjson::Value& notes = document["students"][0]["pictures"][0]["notes"];
   ASSERT_EQ(notes.Size(), 3U);
   EXPECT_STREQ(notes[0].GetString(), "the file is that of the reference, byte for byte");
-  EXPECT_STREQ(notes[1].GetString(), "two pictures match: ball.png was graded, ball_gen.png was not");
+  EXPECT_STREQ(notes[1].GetString(),
+               "two pictures match: ball.png was graded, ball_gen.png was not");
   EXPECT_STREQ(notes[2].GetString(), "identical files: ada, hal, smithjohn");
   EXPECT_THAT(folder.read("s.csv"), HasSubstr("\"ida\",0,1,0,1,0,1\r\n"));
   // A store gives the same answer.

@@ -1,7 +1,8 @@
 // Writing files in pieces.
 
-#include "io/temp_folder.h"
 #include "scenefile/io/file_writer.h"
+
+#include "io/temp_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

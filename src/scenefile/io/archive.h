@@ -37,9 +37,9 @@ using ReadEntry = std::function<Result<std::string>(std::uint64_t max_bytes)>;
 /// occurs twice, the later entry is the current one. `read` is only valid during the call.
 using VisitEntry = std::function<void(const ArchiveEntry& entry, const ReadEntry& read)>;
 
-/// Visits the entries of an archive: a regular file of at most budget.bytes, not a link. Returns why
-/// not all entries were visited, as a clause; empty if all were. Links, devices, encrypted entries, and paths that lead
-/// out of the archive have a `problem`.
+/// Visits the entries of an archive: a regular file of at most budget.bytes, not a link. Returns
+/// why not all entries were visited, as a clause; empty if all were. Links, devices, encrypted
+/// entries, and paths that lead out of the archive have a `problem`.
 std::string visit_archive(const std::string& path, ArchiveBudget& budget, const VisitEntry& visit);
 
 /// The same for an archive in memory.

@@ -55,11 +55,11 @@ enum class LayerKind : std::uint8_t {
   light,             ///< R G B: diffuse and specular light from one light; mean
   shadow,            ///< Y: fraction of the light of all lights that shadows remove; of the means
   reflection_depth,  ///< Y: maximum depth of reflections and refractions; mean
-  direct,    ///< R G B, mode path: what direct_only leaves
-  bounce,    ///< R G B, mode path: light reflected or refracted a number of times
-  specular,  ///< R G B, mode path: light that a mirror or glass reflected or refracted
-  variance,  ///< Y, mode path: of the pixel's luminance, estimated
-  samples,   ///< Y, mode path: how many were taken
+  direct,            ///< R G B, mode path: what direct_only leaves
+  bounce,            ///< R G B, mode path: light reflected or refracted a number of times
+  specular,          ///< R G B, mode path: light that a mirror or glass reflected or refracted
+  variance,          ///< Y, mode path: of the pixel's luminance, estimated
+  samples,           ///< Y, mode path: how many were taken
 };
 
 struct Layer {

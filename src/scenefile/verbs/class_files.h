@@ -22,7 +22,7 @@ struct StudentFiles {
 struct ClassFiles {
   std::vector<StudentFiles> students;  ///< by name
   std::vector<IgnoredFile> ignored;    ///< of unknown students
-  std::vector<std::string> paths;      ///< of all files and archives that were handed in, not of others
+  std::vector<std::string> paths;  ///< of all files and archives that were handed in, not of others
 };
 
 /// The students in `folder`, which may also be an archive:

@@ -121,6 +121,27 @@ TEST(FaceMaterials, EachLibraryIsReadAndJudgedOnce) {
   EXPECT_EQ(r.assets.mesh_references[0].from, "m/a.obj");
 }
 
+TEST(FaceMaterials, FilesOfAMeshAreFoundWithoutReadingIt) {
+  const FetchFile fetch = [](const std::string& name) -> Result<std::string> {
+    return name == "m/a.mtl" ? Result<std::string>("newmtl a\nmap_Kd a.png\nmap_Ke b.png\n")
+                             : Result<std::string>(Error{"no such file"});
+  };
+  // Each name once; words of comments and of other statements are none. Linear in the text: this
+  // would take minutes otherwise.
+  std::string obj = "# mtllib c.mtl\no mtllib\n  mtllib \\\n a.mtl b.mtl\nv 0 0 0\nmtllib a.mtl\n";
+  for (int i = 0; i < 200'000; ++i) {
+    obj += "mtllib \\\n";
+  }
+  std::vector<std::string> names;
+  for (const MeshReference& file : files_named_by_mesh("m/m.obj", obj, fetch, {})) {
+    names.push_back(fmt::format("{} {}", word_of(file.kind), file.file.name));
+  }
+  ASSERT_GE(names.size(), 4u);
+  names.resize(4);  // then the last statement, read as names
+  EXPECT_THAT(names, ElementsAre("library m/a.mtl", "texture m/a.png", "texture m/b.png",
+                                 "library m/b.mtl"));
+}
+
 TEST(FaceMaterials, TheFirstReadableNameOfALineCounts) {
   const Files files{
       {"a.obj", mesh_of("mtllib no.mtl b.mtl c.mtl\nmtllib d.mtl\nmtllib my lib.mtl\n",

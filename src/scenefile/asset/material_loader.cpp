@@ -40,8 +40,10 @@ std::vector<MeshReference> files_named_by_mesh(const std::string& mesh, std::str
   std::set<std::string> known;
   // Searching is much faster than reading the statements between.
   constexpr std::string_view keyword = "mtllib";
+  std::size_t next = 0;
   for (std::size_t at = obj.find(keyword); at != std::string_view::npos;
-       at = obj.find(keyword, at + keyword.size())) {
+       at = obj.find(keyword, next)) {
+    next = at + keyword.size();
     ObjWords words(obj.substr(at));
     words.next_statement();
     // A statement of its own, not a word of another one or of a comment.
@@ -50,7 +52,9 @@ std::vector<MeshReference> files_named_by_mesh(const std::string& mesh, std::str
         (last != std::string_view::npos && obj[last] != '\n' && obj[last] != '\r')) {
       continue;
     }
-    for (const FileReference& name : library_names(words)) {
+    const std::vector<FileReference> names = library_names(words);
+    next = at + words.at();  // a statement may be many lines long
+    for (const FileReference& name : names) {
       const std::string library = next_to(mesh, name.name);
       if (!known.insert(library).second) {
         continue;

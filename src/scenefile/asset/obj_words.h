@@ -25,6 +25,8 @@ class ObjWords {
   /// blanks. A # inside a word belongs to it, as in file names.
   std::string_view rest(std::string_view first);
 
+  /// How many bytes of the text were read.
+  std::size_t at() const { return at_; }
   /// The place of a word returned by next_word() (columns beyond 65,536 count bytes); for a word on
   /// an earlier line of the statement, the start of the current line.
   Location location(std::string_view word) const;

@@ -27,12 +27,6 @@ bool begins_like_exr(std::string_view bytes) {
   return signature.starts_with(bytes.substr(0, signature.size()));
 }
 
-Outcome folder_failure(const std::string& folder, std::string_view what,
-                       const std::error_code& error) {
-  return {ExitCode::environment, fmt::format("{}: {} the folder of --store: {}",
-                                             escaped(folder, 400), what, error.message())};
-}
-
 }  // namespace
 
 BandStore::BandStore(const Options& options, const LoadedScene& scene)
@@ -96,7 +90,8 @@ Outcome BandStore::open(Context& context) {
     }
   }
   if (error) {
-    return folder_failure(options_.store, "cannot read", error);
+    return {ExitCode::environment, fmt::format("{}: cannot read the folder of --store: {}",
+                                               escaped(options_.store, 400), error.message())};
   }
   std::sort(found.begin(), found.end(), [](const RowRange& a, const RowRange& b) {
     return a.first != b.first ? a.first < b.first : a.end < b.end;
@@ -113,8 +108,7 @@ Outcome BandStore::open(Context& context) {
     }
     const State state = bytes ? state_of(band, *bytes, why) : State::foreign;
     if (state == State::foreign) {
-      return {ExitCode::findings, fmt::format("{}: {}; choose another folder, or remove the file",
-                                              escaped(path, 400), why)};
+      return foreign_item(path, why);
     }
     if (state == State::current) {
       bands_.push_back(band);
@@ -134,10 +128,8 @@ Outcome BandStore::claim(const std::vector<RowRange>& bands, Context& context) c
 }
 
 Outcome BandStore::write(const RowRange& band, RenderResult result) {
-  std::error_code error;
-  fs::create_directories(options_.store, error);
-  if (error) {
-    return folder_failure(options_.store, "cannot make", error);
+  if (Outcome made = make_store(options_.store); made.status != ExitCode::fine) {
+    return made;
   }
   std::vector<ImageLayer> layers{{"", {"R", "G", "B"}, false, std::move(result.image.rgb)}};
   layers.insert(layers.end(), std::make_move_iterator(result.layers.begin()),

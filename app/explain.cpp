@@ -49,10 +49,7 @@ ExitCode run_explain(const Options& given, Context& context) {
   if (const ExitCode status = load_mine(options, mine, context); status != ExitCode::fine) {
     return status;
   }
-  LoadedScene scene = load_scene(options.arguments.front(), options, depth_for(options.render),
-                                 options.load.allow_missing, context);
-  choose_path_mode(scene, options);
-  check_picture(scene, options.render);
+  LoadedScene scene = load_for_tracing(options, context);
   const std::optional<RealtimeOptions> realtime = realtime_options(options);
   if (realtime && status_of(scene) == ExitCode::fine) {
     check_realtime(*realtime, scene);

@@ -436,7 +436,9 @@ ExitCode run_frames(const Options& given, Context& context) {
       return ExitCode::environment;
     }
   }
-  LoadedScene scene = load_for_tracing(options, context);
+  LoadedScene scene = load_scene(options.arguments.front(), options, depth_for(options.render),
+                                 options.load.allow_missing, context);
+  check_picture(scene, options.render);
   const auto say_findings = [&] {
     if (!options.json) {
       say(findings_text(scene, options.quiet ? Verbosity::errors : Verbosity::warnings,

@@ -6,18 +6,13 @@
 #include "app/named_files.h"
 #include "app/output.h"
 #include "app/progress.h"
-#include "scenefile/asset/image_file.h"
 #include "scenefile/base/hash.h"
 #include "scenefile/base/limits.h"
 #include "scenefile/base/text.h"
-#include "scenefile/format/recognize.h"
-#include "scenefile/io/archive.h"
 #include "scenefile/io/file.h"
-#include "scenefile/io/folder.h"
 #include "scenefile/io/item.h"
 #include "scenefile/verbs/grade_class.h"
 #include "scenefile/verbs/json_writer.h"
-#include "scenefile/verbs/realtime_table.h"
 #include "scenefile/verbs/scene_json.h"
 #include "scenefile/verbs/student_item.h"
 
@@ -116,11 +111,8 @@ class StudentStore {
       const Item item = read_item(*bytes);
       const bool other = item.state == ItemState::intact && item.key != keys_[i];
       if (other || (item.state == ItemState::none && !bytes->empty())) {
-        return {ExitCode::findings,
-                fmt::format("{}: {}; choose another folder, or remove the file",
-                            escaped(path_of(i), 400),
-                            other ? "it was graded " + key_mismatch(item.key, keys_[i])
-                                  : "it is not the result of a student")};
+        return foreign_item(path_of(i), other ? "it was graded " + key_mismatch(item.key, keys_[i])
+                                              : "it is not the result of a student");
       }
       there_[i] = item.state == ItemState::intact;
     }
@@ -130,11 +122,8 @@ class StudentStore {
   bool has(std::size_t student) const { return there_[student]; }
 
   Outcome write(std::size_t student, const StudentResult& result) {
-    std::error_code error;
-    std::filesystem::create_directories(folder_, error);
-    if (error) {
-      return {ExitCode::environment, fmt::format("{}: cannot make the folder of --store: {}",
-                                                 escaped(folder_, 400), error.message())};
+    if (Outcome made = make_store(folder_); made.status != ExitCode::fine) {
+      return made;
     }
     std::string bytes = encode_student(result, item_text(keys_[student]));
     seal_item(bytes);
@@ -196,9 +185,9 @@ std::string store_json(const std::vector<std::uint32_t>* missing, std::size_t fo
 }
 
 // Prints the shares with students to grade; status 1 if there are any.
-ExitCode answer_missing(const Options& options, const StudentStore& store, std::size_t students) {
+ExitCode answer_missing_shares(const Options& options, const StudentStore& store,
+                               std::size_t students) {
   std::vector<std::uint32_t> missing;
-  std::string lines;
   std::size_t found = 0;
   for (std::uint32_t i = 0; i < *options.missing; ++i) {
     const StudentShare share = share_of_students(students, i, *options.missing);
@@ -209,12 +198,13 @@ ExitCode answer_missing(const Options& options, const StudentStore& store, std::
     }
     if (!complete) {
       missing.push_back(i + 1);
-      lines += fmt::format("{}\n", i + 1);
     }
   }
-  const ExitCode status = missing.empty() ? ExitCode::fine : ExitCode::findings;
-  const std::string text = options.json ? store_json(&missing, found, 0) : lines;
-  return text.empty() ? status : worse(status, answer(text));
+  if (!options.json) {
+    return answer_missing(missing);
+  }
+  return worse(missing.empty() ? ExitCode::fine : ExitCode::findings,
+               answer(store_json(&missing, found, 0)));
 }
 
 ExitCode answer_share(const Options& options, std::size_t found, std::size_t graded) {
@@ -297,7 +287,7 @@ ExitCode run_grade(const Options& options, Context& context) {
   Outcome outcome = store.open(context);
   if (outcome.status == ExitCode::fine && options.missing) {
     bar.reset();
-    return answer_missing(options, store, grader->students());
+    return answer_missing_shares(options, store, grader->students());
   }
   const StudentShare share =
       options.part ? share_of_students(grader->students(), options.part->index, options.part->count)

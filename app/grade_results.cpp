@@ -254,17 +254,17 @@ ExitCode write_results(const Options& options, Gradebook book, std::string_view 
     return exit_code(written.error().kind);
   }
   const ExitCode status = book.all_passed() ? ExitCode::fine : ExitCode::findings;
+  const std::string text = options.json    ? gradebook_json(book)
+                           : options.quiet ? std::string()
+                                           : gradebook_text(book);
   // A table on standard output stays one that programs can read.
   const bool taken = std::any_of(options.given.begin(), options.given.end(), [](const auto& given) {
     return given.row->value == "OUT" && is_standard_output(given.value);
   });
-  if (!options.json && !options.quiet && taken) {
-    say(gradebook_text(book));
+  if (taken) {
+    say(text);
     return status;
   }
-  const std::string text = options.json    ? gradebook_json(book)
-                           : options.quiet ? std::string()
-                                           : gradebook_text(book);
   return text.empty() ? status : worse(status, answer(text));
 }
 

@@ -1,6 +1,7 @@
 #include "app/item_key.h"
 
 #include "app/limit_table.h"
+#include "app/output.h"
 #include "app/realtime.h"
 #include "scenefile/base/hash.h"
 #include "scenefile/base/text.h"
@@ -12,6 +13,8 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -87,6 +90,28 @@ std::string key_mismatch(std::string_view found, std::string_view wanted) {
     text += (i == 0 ? "" : ", and ") + phrase_of(differences[i]);
   }
   return differences.size() > most ? text + ", and more" : text;
+}
+
+Outcome foreign_item(const std::string& path, std::string_view why) {
+  return {ExitCode::findings, fmt::format("{}: {}; choose another folder, or remove the file",
+                                          escaped(path, 400), why)};
+}
+
+Outcome make_store(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  return error ? Outcome{ExitCode::environment,
+                         fmt::format("{}: cannot make the folder of --store: {}",
+                                     escaped(folder, 400), error.message())}
+               : Outcome();
+}
+
+ExitCode answer_missing(std::span<const std::uint32_t> shares) {
+  std::string lines;
+  for (const std::uint32_t share : shares) {
+    lines += fmt::format("{}\n", share);
+  }
+  return lines.empty() ? ExitCode::fine : worse(ExitCode::findings, answer(lines));
 }
 
 }  // namespace scenefile::app

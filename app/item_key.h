@@ -3,6 +3,8 @@
 
 #include "app/load.h"
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -21,5 +23,12 @@ std::string picture_key_of(const Options& options, const LoadedScene& scene);
 /// How the item with the key `found` differs, as a phrase that follows "it was made". Empty if it
 /// does not.
 std::string key_mismatch(std::string_view found, std::string_view wanted);
+
+/// The refusal of a store that contains a file of something else: `why` says what it is.
+Outcome foreign_item(const std::string& path, std::string_view why);
+/// Makes the folder of --store, if necessary.
+Outcome make_store(const std::string& folder);
+/// Prints the numbers of the shares that are still to make; status 1 if there are any.
+ExitCode answer_missing(std::span<const std::uint32_t> shares);
 
 }  // namespace scenefile::app

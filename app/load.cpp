@@ -34,18 +34,15 @@ LoadedScene load_scene(const std::string& path, const Options& options, LoadDept
   return scene;
 }
 
-void choose_path_mode(const LoadedScene& scene, Options& options) {
+LoadedScene load_for_tracing(Options& options, Context& context) {
+  LoadedScene scene = load_scene(options.arguments.front(), options, depth_for(options.render),
+                                 options.load.allow_missing, context);
   if (!excludes_path_mode(options) && lit_by_faces_only(scene)) {
     set_path_mode(options);
     if (!options.quiet && !options.json) {
       say("note: faces of this scene emit light, and it has no lights: using --mode path\n");
     }
   }
-}
-
-LoadedScene load_for_tracing(const Options& options, Context& context) {
-  LoadedScene scene = load_scene(options.arguments.front(), options, depth_for(options.render),
-                                 options.load.allow_missing, context);
   check_picture(scene, options.render);
   return scene;
 }

@@ -22,12 +22,10 @@ struct Outcome {
 LoadedScene load_scene(const std::string& path, const Options& options, LoadDepth depth,
                        bool allow_missing, Context& context);
 
-/// Sets mode path for a scene without lights whose faces emit light, unless an option excludes it.
-void choose_path_mode(const LoadedScene& scene, Options& options);
-
-/// Loads the scene with the assets that frames with these options need, and adds findings that
-/// depend on the options.
-LoadedScene load_for_tracing(const Options& options, Context& context);
+/// Loads the scene with the assets that a picture with these options needs, and adds findings that
+/// depend on the options. Sets mode path for a scene without lights whose faces emit light, unless
+/// an option excludes it.
+LoadedScene load_for_tracing(Options& options, Context& context);
 
 /// Where the files of a scene at `path` may be.
 AssetRootsOptions asset_roots_options(const std::string& path, const Options& options);

@@ -74,7 +74,8 @@ Result<void> add_named_files(const Command& command, const Options& options, Use
     const std::string& word = words[std::min(i, words.size() - 1)];
     const std::string& path = options.arguments[i];
     added = word == "OUT" ? files.write(named_file("output", path))
-                          : files.read(named_file(role_of(word), path));
+                          : files.read(path == "-" ? UsedFile{path, "the file on standard input"}
+                                                   : named_file(role_of(word), path));
   }
   std::string on_stdout = options.json ? "the answer of --json" : "";
   const auto claim_stdout = [&](const UsedFile& file) {

@@ -460,6 +460,11 @@ std::string parse_options(const Command& command, std::span<const char* const> w
 }
 
 std::string config_argument(const Command& command, std::span<const char* const> words) {
+  // Parsing takes time, and most command lines have no such word.
+  if ((command.bit & for_tracing) == 0 ||
+      std::none_of(words.begin(), words.end(), is_config_name)) {
+    return {};
+  }
   Options options;
   CLI::App parser;
   set_up(parser, command, options);
@@ -468,8 +473,7 @@ std::string config_argument(const Command& command, std::span<const char* const>
   } catch (const CLI::ParseError&) {
     return {};  // parse_options() reports it
   }
-  return (command.bit & for_tracing) != 0 && options.arguments.size() == 1 &&
-                 is_config_name(options.arguments.front())
+  return options.arguments.size() == 1 && is_config_name(options.arguments.front())
              ? options.arguments.front()
              : std::string();
 }

@@ -3,6 +3,7 @@
 #include "app/assemble.h"
 #include "app/band_store.h"
 #include "app/command.h"
+#include "app/item_key.h"
 #include "app/json.h"
 #include "app/load.h"
 #include "app/named_files.h"
@@ -12,6 +13,7 @@
 #include "app/realtime.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/interrupt.h"
+#include "scenefile/io/parallel.h"
 #include "scenefile/path/render_path.h"
 #include "scenefile/trace/layers.h"
 #include "scenefile/trace/picture_state.h"
@@ -25,7 +27,6 @@
 #include <memory>
 #include <optional>
 #include <string_view>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -128,11 +129,9 @@ Outcome draw(const Options& options, LoadedScene& scene, RenderReport& report, C
 std::vector<RowRange> bands_to_draw(const Options& options, const RenderScene& scene,
                                     const BandStore& store, const RowRange& share) {
   const RenderOptions& render = options.render;
-  const int threads = render.threads > 0
-                          ? render.threads
-                          : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   const int most = rows_of_band(store.width(), store.picture().rows(),
-                                render.mode == Mode::path ? 0 : margin_of(scene, render), threads);
+                                render.mode == Mode::path ? 0 : margin_of(scene, render),
+                                thread_count(render.threads));
   std::vector<RowRange> bands;
   for (const RowRange& rows : store.missing(share)) {
     const auto count = static_cast<std::uint32_t>((rows.rows() + most - 1) / most);
@@ -265,16 +264,6 @@ std::string summary_text(const Options& options, const RenderReport& report) {
   return text + fmt::format("{:.2f} s, {}\n", report.seconds, work_text(report));
 }
 
-// Prints the shares still to make; status 1 if there are any.
-ExitCode answer_missing(const RenderReport& report) {
-  std::string lines;
-  for (const std::uint32_t share : report.store->missing) {
-    lines += fmt::format("{}\n", share);
-  }
-  const ExitCode printed = lines.empty() ? ExitCode::fine : answer(lines);
-  return worse(printed, lines.empty() ? ExitCode::fine : ExitCode::findings);
-}
-
 }  // namespace
 
 ExitCode run_render(const Options& given, Context& context) {
@@ -293,11 +282,8 @@ ExitCode run_render(const Options& given, Context& context) {
     say_error(report.error);
     return refused.status;
   }
-  LoadedScene scene = load_scene(options.arguments.front(), options, depth_for(options.render),
-                                 options.load.allow_missing, context);
-  choose_path_mode(scene, options);
+  LoadedScene scene = load_for_tracing(options, context);
   report.options = options.render;
-  check_picture(scene, options.render);
   Outcome outcome{status_of(scene), {}};
   if (const auto realtime = realtime_options(options);
       realtime && outcome.status == ExitCode::fine) {
@@ -339,7 +325,7 @@ ExitCode run_render(const Options& given, Context& context) {
                  answer(render_json(scene, report)));
   }
   if (options.missing && outcome.status == ExitCode::fine) {
-    return answer_missing(report);
+    return answer_missing(report.store->missing);
   }
   if (status_of(scene) == ExitCode::fine && !outcome.error.empty()) {
     say_error(outcome.error);

@@ -61,21 +61,13 @@ TEST(PathLayers, SpecularIsLightOfMirrorsAndGlass) {
   options.layers = layers_named("specular,bounce-0");
   FaceMaterial shiny = mirror(glm::vec3(0.8f));
   shiny.emission = glm::vec3(0.2f);
-  const auto box = [](const FaceMaterial& walls) {
-    Room room;
-    Model model;
-    model.box(glm::vec3(-1), glm::vec3(1), true, model.material(walls));
-    room.add(model);
-    room.look({0.3, 0.2, 0.5}, {-0.4, -0.1, -1}, 70);
-    return room;
-  };
-  const PathResult mirrors = draw(box(shiny), options);
+  const PathResult mirrors = draw(closed_box(shiny), options);
   std::vector<float> sum = mirrors.layers[0].values;
   for (std::size_t i = 0; i < sum.size(); ++i) {
     sum[i] += mirrors.layers[1].values[i];
   }
   expect_equal(sum, mirrors.image.rgb, 1e-5);
-  const PathResult rough = draw(box(diffuse(glm::vec3(0.5f), glm::vec3(0.2f))), options);
+  const PathResult rough = draw(closed_box(diffuse(glm::vec3(0.5f), glm::vec3(0.2f))), options);
   EXPECT_EQ(rough.layers[0].values, std::vector<float>(rough.image.rgb.size()));
 }
 

@@ -13,16 +13,6 @@ namespace {
 using glm::dvec3;
 using std::numbers::pi;
 
-// A closed box from -1 to 1 whose walls all have this material, seen from inside.
-Room closed_box(const FaceMaterial& walls) {
-  Room room;
-  Model model;
-  model.box(glm::vec3(-1), glm::vec3(1), true, model.material(walls));
-  room.add(model);
-  room.look({0.3, 0.2, 0.5}, {-0.4, -0.1, -1}, 70);
-  return room;
-}
-
 void expect_everywhere(const Image& image, double value, double tolerance) {
   const glm::dvec3 mean = mean_of(image);
   for (int c = 0; c < 3; ++c) {

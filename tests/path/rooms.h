@@ -88,6 +88,16 @@ struct Room : SceneBuilder {
   using SceneBuilder::add;
 };
 
+/// A closed box from -1 to 1 whose walls all have this material, seen from inside.
+inline Room closed_box(const FaceMaterial& walls) {
+  Room room;
+  Model model;
+  model.box(glm::vec3(-1), glm::vec3(1), true, model.material(walls));
+  room.add(model);
+  room.look({0.3, 0.2, 0.5}, {-0.4, -0.1, -1}, 70);
+  return room;
+}
+
 inline RenderOptions path_options(int width, int height, int samples) {
   RenderOptions options;
   options.mode = Mode::path;

@@ -1,5 +1,5 @@
 #pragma once
-// Reads what stream_layers() (image_stream.h) writes: whole rows of a picture, in an OpenEXR file
+// Reads what stream_blocks() (image_stream.h) writes: whole rows of a picture, in an OpenEXR file
 // with ZIP compression.
 
 #include "scenefile/asset/image.h"

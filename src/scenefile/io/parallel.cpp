@@ -48,9 +48,12 @@ class Queue {
 
 }  // namespace
 
+int thread_count(int wanted) {
+  return wanted > 0 ? wanted : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
 void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
-  const std::size_t most = threads > 0 ? static_cast<std::size_t>(threads)
-                                       : std::max(1u, std::thread::hardware_concurrency());
+  const auto most = static_cast<std::size_t>(thread_count(threads));
   Queue queue(count, work);
   std::vector<std::thread> helpers;
   try {

@@ -6,6 +6,9 @@
 
 namespace scenefile {
 
+/// The number of threads that an option asks for: 0 means one per processor.
+int thread_count(int wanted);
+
 /// Calls work(0) to work(count - 1), each once, from at most `threads` threads, including the
 /// caller's; 0 means one per processor. Uses fewer if the system does not provide them. Returns
 /// when all are done. If a call throws, the exception is rethrown, and calls that have not started

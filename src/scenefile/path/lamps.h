@@ -8,11 +8,17 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace scenefile {
+
+/// A value to store: within the range of floats, with room for a few sums.
+inline float stored_float(double value) {
+  return static_cast<float>(std::min(value, 1e38));
+}
 
 /// Relative luminance of linear colors (ITU-R BT.709).
 inline double luminance(const Color& c) {

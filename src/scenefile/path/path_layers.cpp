@@ -113,7 +113,7 @@ PixelStatistics statistics_of(const PathState& state, std::size_t at) {
 // Rare bright samples would outweigh all others around them. Limits uncertain values to the third
 // largest of the pixels around them, and their variances in proportion.
 void limit_outliers(int width, int height, std::vector<PixelStatistics>& pixels) {
-  constexpr int reach = 2;
+  constexpr int reach = outlier_reach;
   constexpr float errors = 3;
   const std::vector<PixelStatistics> before = pixels;
   for_each_line(height, [&](int y) {
@@ -174,6 +174,9 @@ Image denoised_image_of(const PathState& state) {
 std::vector<ImageLayer> layers_of(const PathState& state, const RenderOptions& options,
                                   const PixelRegion& crop) {
   std::vector<ImageLayer> layers;
+  if (options.layers.empty()) {
+    return layers;
+  }
   const std::vector<float> variances = variances_of(state);
   for (std::size_t i = 0; i < options.layers.size(); ++i) {
     const Layer& wanted = options.layers[i];
@@ -189,7 +192,7 @@ std::vector<ImageLayer> layers_of(const PathState& state, const RenderOptions& o
           value.x = state.counts[at];
         }
         for (std::size_t c = 0; c < layer.channels.size(); ++c) {
-          layer.values.push_back(static_cast<float>(std::min(value[static_cast<int>(c)], 1e38)));
+          layer.values.push_back(stored_float(value[static_cast<int>(c)]));
         }
       }
     }

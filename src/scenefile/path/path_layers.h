@@ -7,8 +7,10 @@
 
 namespace scenefile {
 
+/// An outlier is limited by the pixels up to this far from it.
+inline constexpr int outlier_reach = 2;
 /// Pixels farther away have no effect on a denoised one.
-inline constexpr int path_denoise_reach = denoise_reach + 2;
+inline constexpr int path_denoise_reach = denoise_reach + outlier_reach;
 
 /// Adds a path to the layers and guides of pixel `at`.
 void add_layers(const PathRecord& path, const RenderOptions& options, std::size_t at,

@@ -91,8 +91,7 @@ Image image_of(const PathState& state) {
   for (std::size_t i = 0; i < state.sums.size(); ++i) {
     const Color mean = state.sums[i] / double(std::max(1u, state.counts[i]));
     for (int c = 0; c < 3; ++c) {
-      // Within the range of floats.
-      image.rgb[3 * i + c] = static_cast<float>(std::min(mean[c], 1e38));
+      image.rgb[3 * i + c] = stored_float(mean[c]);
     }
   }
   return image;
@@ -104,8 +103,7 @@ std::vector<float> variances_of(const PathState& state) {
     const double n = state.counts[i];
     if (n > 1) {
       const double mean = luminance(state.sums[i]) / n;
-      variances[i] =
-          static_cast<float>(std::clamp((state.squares[i] / n - mean * mean) / (n - 1), 0.0, 1e38));
+      variances[i] = stored_float(std::max((state.squares[i] / n - mean * mean) / (n - 1), 0.0));
     }
   }
   return variances;

@@ -33,7 +33,7 @@ void map_tones(std::span<float> rgb, Tone tone, double exposure, double white) {
       c = glm::sqrt(glm::max(c * ((1 + bright / (white * white)) / (1 + bright)), Color(0)));
     }
     for (int i = 0; i < 3; ++i) {
-      rgb[at + static_cast<std::size_t>(i)] = static_cast<float>(std::min(c[i], 1e38));
+      rgb[at + static_cast<std::size_t>(i)] = stored_float(c[i]);
     }
   }
 }

@@ -411,15 +411,14 @@ struct ClassGrader::State {
 
   // The settings of references of the assignment Realtime, if a table gives them.
   Result<void> read_settings() {
-    Result<std::string> text = settings_table(request_.references);
+    const std::string path = settings_table(request_.references);
+    if (path.empty()) {
+      return {};
+    }
+    add_input("table", path);
+    const Result<std::string> text = read_file(path, Limits{}.file_bytes);
     if (!text) {
       return text.error();
-    }
-    for (const std::string& folder : {request_.references, request_.references + "/.."}) {
-      if (std::string path = fmt::format("{}/{}", folder, realtime_table_name);
-          stamp_of(path).exists) {
-        add_input("table", path);
-      }
     }
     std::string wrong;
     table_ = read_realtime_table(*text, wrong);

@@ -32,15 +32,15 @@ std::uint64_t file_fingerprint(const std::string& path, const Limits& limits) {
   return hash.value();
 }
 
-Result<std::string> settings_table(const std::string& folder) {
+std::string settings_table(const std::string& folder) {
   for (const std::string& place : {folder, folder + "/.."}) {
     for (const FolderEntry& entry : entries_of(place)) {
       if (!entry.folder && !entry.link && entry.name == realtime_table_name) {
-        return read_file(entry.path, Limits{}.file_bytes);
+        return entry.path;
       }
     }
   }
-  return std::string();
+  return {};
 }
 
 AssetRootsOptions asset_roots_options(const std::string& path, const AssetAccess& access,

@@ -49,9 +49,9 @@ Result<DecodedPicture> load_picture_file(const std::string& path, std::string_vi
 /// A fingerprint (base/hash.h) of the bytes of a file, or of the error if it cannot be read.
 std::uint64_t file_fingerprint(const std::string& path, const Limits& limits = {});
 
-/// The text of the table (realtime_table.h) in the folder of references or in its parent folder;
+/// The path of the table (realtime_table.h) in the folder of references or in its parent folder;
 /// empty if there is none.
-Result<std::string> settings_table(const std::string& folder);
+std::string settings_table(const std::string& folder);
 
 /// Where the files of a scene at `path` may be: `access`, and the folder in the environment
 /// variable CS123_DATA, which replaces /course/cs123/data of the course's machines.

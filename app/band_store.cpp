@@ -2,6 +2,7 @@
 
 #include "app/item_key.h"
 #include "app/named_files.h"
+#include "app/pictures.h"
 #include "scenefile/asset/image_file.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/file.h"
@@ -131,10 +132,7 @@ Outcome BandStore::write(const RowRange& band, RenderResult result) {
   if (Outcome made = make_store(options_.store); made.status != ExitCode::fine) {
     return made;
   }
-  std::vector<ImageLayer> layers{{"", {"R", "G", "B"}, false, std::move(result.image.rgb)}};
-  layers.insert(layers.end(), std::make_move_iterator(result.layers.begin()),
-                std::make_move_iterator(result.layers.end()));
-  Result<std::string> bytes = encode_layers(width_, band.rows(), layers,
+  Result<std::string> bytes = encode_layers(width_, band.rows(), all_layers(std::move(result)),
                                             {item_text(key_of(band)), band.first, picture_.rows()});
   if (!bytes) {
     return {ExitCode::environment, "cannot encode a band: " + bytes.error().text};

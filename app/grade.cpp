@@ -221,15 +221,6 @@ ExitCode answer_share(const Options& options, std::size_t found, std::size_t gra
   return ExitCode::fine;
 }
 
-// Adds the files of the class to context.files. An error if an output would replace one of them.
-Outcome add_inputs(const ClassGrader& grader, Context& context) {
-  Result<void> added;
-  for (const UsedFile& file : grader.inputs()) {
-    added = added ? context.files.read(file) : added;
-  }
-  return outcome_of(added);
-}
-
 }  // namespace
 
 ExitCode run_grade(const Options& options, Context& context) {
@@ -267,7 +258,7 @@ ExitCode run_grade(const Options& options, Context& context) {
     return exit_code(grader.error().kind);
   }
   if (refused.status == ExitCode::fine) {
-    refused = add_inputs(*grader, context);
+    refused = claim_inputs(grader->inputs(), context);
   }
   if (refused.status == ExitCode::fine) {
     std::vector<std::string> students;

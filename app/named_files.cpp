@@ -126,6 +126,14 @@ void make_output_folder(const Options& options) {
   }
 }
 
+Outcome claim_inputs(std::span<const UsedFile> inputs, Context& context) {
+  Result<void> added;
+  for (const UsedFile& input : inputs) {
+    added = added ? context.files.read(input) : added;
+  }
+  return outcome_of(added);
+}
+
 Outcome claim_outputs(std::span<const UsedFile> outputs, Context& context) {
   for (const UsedFile& output : outputs) {
     Outcome outcome = outcome_of(context.files.write(output));

@@ -30,6 +30,10 @@ Outcome check_named_outputs(const Options& options);
 /// shows when the output is claimed.
 void make_output_folder(const Options& options);
 
+/// Adds files that are read to context.files. Returns an error (ExitCode::usage) for the first that
+/// an output would replace.
+Outcome claim_inputs(std::span<const UsedFile> inputs, Context& context);
+
 /// Adds outputs that the options do not name to context.files, before the work starts and after all
 /// inputs are known. Returns an error for the first that would replace an input or another output
 /// (ExitCode::usage), or that cannot be written (ExitCode::environment).

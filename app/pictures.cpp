@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
 #include <utility>
 
 namespace scenefile::app {
@@ -59,11 +60,10 @@ Outcome write_image(const std::string& path, const Image& image, Rounding roundi
 Outcome write_in_one(const Options& options, const RenderResult& result, std::string_view key,
                      Context& context) {
   context.phase = "encoding the picture";
-  std::vector<ImageLayer> layers{{"", {"R", "G", "B"}, false, result.image.rgb}};
-  layers.insert(layers.end(), result.layers.begin(), result.layers.end());
-  return write(options.output,
-               encode_layers(result.image.width, result.image.height, layers, note_of(key)), key,
-               context);
+  return write(
+      options.output,
+      encode_layers(result.image.width, result.image.height, all_layers(result), note_of(key)), key,
+      context);
 }
 
 }  // namespace
@@ -92,6 +92,13 @@ std::vector<std::string> picture_files(const Options& options) {
     }
   }
   return files;
+}
+
+std::vector<ImageLayer> all_layers(RenderResult result) {
+  std::vector<ImageLayer> layers{{"", {"R", "G", "B"}, false, std::move(result.image.rgb)}};
+  layers.insert(layers.end(), std::make_move_iterator(result.layers.begin()),
+                std::make_move_iterator(result.layers.end()));
+  return layers;
 }
 
 Outcome write_pictures(const Options& options, const RenderResult& result, Context& context,

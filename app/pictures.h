@@ -19,6 +19,10 @@ Image canvas(int width, int height);
 /// "x.depth.png" of "x.png".
 std::string layer_file(const std::string& output, const Layer& layer);
 
+/// What one file of a picture with its layers contains: the picture itself without a name, then the
+/// layers.
+std::vector<ImageLayer> all_layers(RenderResult result);
+
 /// Writes all files. In mode path, PNG files are tone-mapped. `key`: if not empty, each file is an
 /// item with this key (io/item.h).
 Outcome write_pictures(const Options& options, const RenderResult& result, Context& context,

@@ -108,11 +108,8 @@ Outcome claim_script_outputs(const Options& options, const viewer::Script& scrip
                                          LoadDepth::prepared, true, context);
     inputs = used_files(scene, options.access, options.load.limits);
   }
-  Result<void> added;
-  for (const UsedFile& file : inputs) {
-    added = added ? context.files.read(file) : added;
-  }
-  return added ? claim_outputs(outputs, context) : outcome_of(added);
+  Outcome claimed = claim_inputs(inputs, context);
+  return claimed.status == ExitCode::fine ? claim_outputs(outputs, context) : claimed;
 }
 
 viewer::WindowOptions window_options(const Options& options, viewer::Script script) {

@@ -2,7 +2,7 @@
 // The output of grade.
 
 #include "app/load.h"
-#include "scenefile/grade/gradebook.h"
+#include "scenefile/gradebook/gradebook.h"
 
 #include <cstddef>
 #include <span>

@@ -4,7 +4,7 @@
 #include "pictures.h"
 #include "render_options.h"
 #include "scenefile/compare/sheet.h"
-#include "scenefile/grade/gradebook.h"
+#include "scenefile/gradebook/gradebook.h"
 #include "scenefile/verbs/compare_pictures.h"
 #include "scenefile/verbs/compare_scenes.h"
 #include "scenefile/verbs/findings.h"

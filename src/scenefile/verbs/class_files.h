@@ -1,7 +1,7 @@
 #pragma once
 // Finds the students of a class and their files: folders, archives, and what course systems write.
 
-#include "scenefile/grade/gradebook.h"
+#include "scenefile/gradebook/gradebook.h"
 #include "scenefile/io/archive.h"
 #include "scenefile/verbs/grade_files.h"
 

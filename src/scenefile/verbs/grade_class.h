@@ -2,7 +2,7 @@
 // Grades the pictures that a class submitted: from folders to a gradebook.
 
 #include "scenefile/base/result.h"
-#include "scenefile/grade/gradebook.h"
+#include "scenefile/gradebook/gradebook.h"
 #include "scenefile/io/used_files.h"
 #include "scenefile/verbs/compare_pictures.h"
 #include "scenefile/verbs/grade_files.h"

@@ -1,7 +1,7 @@
 #pragma once
 // The results of a student as a JSON document: an item of the store of grade.
 
-#include "scenefile/grade/gradebook.h"
+#include "scenefile/gradebook/gradebook.h"
 
 #include <string>
 #include <string_view>

@@ -1,4 +1,4 @@
-#include "scenefile/grade/gradebook.h"
+#include "scenefile/gradebook/gradebook.h"
 
 #include "scenefile/base/text.h"
 

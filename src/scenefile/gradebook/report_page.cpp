@@ -1,6 +1,6 @@
-#include "scenefile/grade/report_page.h"
+#include "scenefile/gradebook/report_page.h"
 
-#include "scenefile/grade/markup.h"
+#include "scenefile/gradebook/markup.h"
 
 #include <fmt/format.h>
 

@@ -1,14 +1,14 @@
-#include "scenefile/grade/gradebook.h"
+#include "scenefile/gradebook/gradebook.h"
 
 #include "scenefile/base/base64.h"
 #include "scenefile/grade/cause_help.h"
 #include "scenefile/grade/claims.h"
-#include "scenefile/grade/markup.h"
+#include "scenefile/gradebook/markup.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace scenefile::grade_test {
+namespace scenefile::gradebook_test {
 namespace {
 
 using ::testing::AllOf;
@@ -335,4 +335,4 @@ TEST(Gradebook, LinksContainOnlyPlainCharacters) {
 }
 
 }  // namespace
-}  // namespace scenefile::grade_test
+}  // namespace scenefile::gradebook_test

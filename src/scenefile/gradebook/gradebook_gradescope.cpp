@@ -1,5 +1,5 @@
 #include "scenefile/base/text.h"
-#include "scenefile/grade/gradebook.h"
+#include "scenefile/gradebook/gradebook.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "scenefile/grade/markup.h"
+#include "scenefile/gradebook/markup.h"
 
 #include "scenefile/base/text.h"
 

@@ -1,5 +1,5 @@
-#include "scenefile/grade/gradebook.h"
-#include "scenefile/grade/markup.h"
+#include "scenefile/gradebook/gradebook.h"
+#include "scenefile/gradebook/markup.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "scenefile/base/base64.h"
 #include "scenefile/grade/cause_help.h"
-#include "scenefile/grade/gradebook.h"
-#include "scenefile/grade/markup.h"
-#include "scenefile/grade/report_page.h"
+#include "scenefile/gradebook/gradebook.h"
+#include "scenefile/gradebook/markup.h"
+#include "scenefile/gradebook/report_page.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the images and the mesh that the example scenes use. Needs numpy and Pillow."""
+"""Makes the images and the meshes that the example scenes use. Needs numpy and Pillow."""
 import math
 import os
 
@@ -110,9 +110,97 @@ def knot(path, around=144, across=16, p=2, q=3, tube=0.13):
                 out.write('f %s\n' % ' '.join(text))
 
 
+class FlatMesh:
+    """An OBJ of polygons without normals. Corners are counterclockwise where the face is seen."""
+
+    def __init__(self, library):
+        self.lines = ['mtllib ' + library]
+        self.vertices = 0
+
+    def polygon(self, material, corners, uvs=None):
+        self.lines.append('usemtl ' + material)
+        self.lines += ['v %.4g %.4g %.4g' % tuple(corner) for corner in corners]
+        self.lines += ['vt %.4g %.4g' % tuple(uv) for uv in uvs or []]
+        index = '-%d/-%d' if uvs else '-%d'
+        self.lines.append('f ' + ' '.join(index % ((n,) * index.count('%d'))
+                                          for n in range(len(corners), 0, -1)))
+
+    def box(self, material, low, high, turn=0, uv=None):
+        """Turned around its vertical axis by degrees. `uv`: units of length of the texture."""
+        low, high = np.asarray(low, float), np.asarray(high, float)
+        middle = (low + high) / 2
+        c, s = math.cos(math.radians(turn)), math.sin(math.radians(turn))
+        for axis in range(3):
+            a, b = (axis + 1) % 3, (axis + 2) % 3
+            for end in (low, high):
+                ring = []
+                for first, second in ((0, 0), (1, 0), (1, 1), (0, 1)):
+                    corner = end.copy()
+                    corner[a] = (low, high)[first][a]
+                    corner[b] = (low, high)[second][b]
+                    ring.append(corner)
+                if end is low:
+                    ring.reverse()
+                uvs = [(p[a] / uv, p[b] / uv) for p in ring] if uv else None
+                ring = [middle + (c * x + s * z, y, c * z - s * x) for x, y, z in
+                        (p - middle for p in ring)]
+                self.polygon(material, ring, uvs)
+
+    def prism(self, material, center, radius, height, sides, ends=None):
+        """Upright, `center` is in the middle. `ends`: material of its top and bottom."""
+        center = np.asarray(center, float)
+        ring = [(radius * math.cos(a), 0, -radius * math.sin(a))
+                for a in np.arange(sides) * 2 * math.pi / sides]
+        low, high = center - (0, height / 2, 0), center + (0, height / 2, 0)
+        for i in range(sides):
+            p, q = np.asarray(ring[i]), np.asarray(ring[(i + 1) % sides])
+            self.polygon(material, [low + p, low + q, high + q, high + p])
+        self.polygon(ends or material, [high + p for p in ring])
+        self.polygon(ends or material, [low + p for p in reversed(ring)])
+
+    def save(self, path):
+        with open(path, 'w', encoding='ascii') as out:
+            out.write('\n'.join(self.lines) + '\n')
+
+
+def studio(path):
+    """A room, 5.2 wide, 3 high and 6.6 deep, with two lamps, a mirror and what stands in it."""
+    mesh = FlatMesh('studio.mtl')
+    left, right, top, back, front = -2.6, 2.6, 3, -2.2, 4.4
+    corners = {(x, y, z): (xs, ys, zs) for x, xs in ((0, left), (1, right))
+               for y, ys in ((0, 0), (1, top)) for z, zs in ((0, back), (1, front))}
+
+    def wall(material, names, uvs=None):
+        mesh.polygon(material, [corners[tuple(int(n) for n in name)] for name in names.split()], uvs)
+
+    width, depth = right - left, front - back
+    wall('tiles', '001 101 100 000', [(0, 0), (width / 1.3, 0), (width / 1.3, depth / 1.3), (0, depth / 1.3)])
+    wall('plaster', '010 110 111 011')
+    wall('plaster', '000 100 110 010')
+    wall('plaster', '101 001 011 111')
+    wall('teal', '001 000 010 011')
+    wall('coral', '100 101 111 110')
+
+    mesh.polygon('skylight', [(-1.3, 2.995, 0.6), (-1.3, 2.995, -0.3), (0.9, 2.995, -0.3), (0.9, 2.995, 0.6)])
+    mesh.prism('lantern', (-2.05, 0.42, -1.5), 0.2, 0.5, 8, 'walnut')
+    mesh.prism('walnut', (-2.05, 0.085, -1.5), 0.24, 0.17, 8)
+    mesh.prism('walnut', (-2.05, 0.69, -1.5), 0.24, 0.04, 8)
+
+    # The mirror leans against the back wall.
+    foot, lean = -1.72, 0.36
+    for material, x0, x1, y0, y1, gap in (('walnut', 0.1, 1.86, 0, 2.28, 0), ('mirror', 0.17, 1.79, 0.07, 2.21, 0.02)):
+        mesh.polygon(material, [(x, y, foot - lean * y / 2.28 + gap)
+                                for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1))])
+
+    mesh.box('stone', (-1.25, 0, -0.95), (-0.35, 0.8, -0.05), turn=24, uv=1.2)
+    mesh.box('walnut', (1.25, 0, -0.75), (2.05, 0.42, 0.05), turn=-18)
+    mesh.save(path)
+
+
 if __name__ == '__main__':
     save('marble.png', marble())
     save('floor.png', floor())
     save('planet.png', planet())
     save('bricks.png', bricks())
     knot(os.path.join(HERE, 'mesh', 'knot.obj'))
+    studio(os.path.join(HERE, 'mesh', 'studio.obj'))

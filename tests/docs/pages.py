@@ -114,7 +114,7 @@ def make_files(folder, program):
     run("render", "scene.xml", "-o", "reference.png", "--size", "528x396", "--profile", "course")
     run("render", "new.xml", "-o", "mine.png", "--size", "528x396", "--profile", "course")
     (folder / "scenes").mkdir()
-    for name in ("chess", "hello", "showcase"):
+    for name in ("chess", "hello", "showcase", "studio"):
         (folder / "scenes" / f"{name}.xml").write_text(SCENE)
     for place in ("references", "pictures", "right"):
         (folder / place).mkdir()

@@ -4,6 +4,8 @@
 #include "scenefile/asset/compare_images.h"
 #include "scenefile/asset/image_file.h"
 #include "scenefile/io/file.h"
+#include "scenefile/path/render_path.h"
+#include "scenefile/path/tone.h"
 #include "scenefile/trace/render.h"
 #include "support/load_scene.h"
 
@@ -36,6 +38,7 @@ constexpr Golden goldens[] = {
     {"showcase.xml", "showcase-course", Profile::course, Mode::ray},
     {"showcase.xml", "showcase-normals", Profile::course, Mode::normals},
     {"showcase.xml", "showcase-intersect", Profile::fine, Mode::intersect},
+    {"studio.xml", "studio-path", Profile::fine, Mode::path},
 };
 
 Texture draw(const Golden& golden) {
@@ -46,6 +49,14 @@ Texture draw(const Golden& golden) {
   options.mode = golden.mode;
   options.width = 240;
   options.height = 180;
+  if (golden.mode == Mode::path) {
+    options.width = 120;
+    options.height = 90;
+    options.max_depth = path_max_depth;
+    const PathResult result = render_path(loaded.ready.scene, loaded.assets, options);
+    EXPECT_EQ(result.status, RenderStatus::complete);
+    return quantize(tone_mapped(result.image, Tone::course, 0), rounding_of(golden.profile));
+  }
   const RenderResult result = render(loaded.ready.scene, loaded.assets, options);
   EXPECT_EQ(result.status, RenderStatus::complete);
   return quantize(result.image, rounding_of(golden.profile));

@@ -37,6 +37,9 @@ CompareSettings settings_of(std::optional<double> min_psnr, std::optional<double
                             std::optional<double> max_difference, std::optional<double> max_share,
                             std::optional<double> min_ssim, std::optional<double> max_flip,
                             int pixel_threshold, const py::dict& options) {
+  if (asks_for_paths(options)) {
+    throw py::value_error("mode: path is for render and explain");
+  }
   std::vector<RenderOptions> profiles;
   if (options.contains("profile")) {
     profiles = {render_options(options)};

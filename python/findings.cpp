@@ -139,6 +139,26 @@ Report check(const FilePath& path, bool strict, bool deny_warnings, std::vector<
   return report_of(std::move(loaded), policy);
 }
 
+struct CountedMaterial : FaceMaterial {
+  std::size_t triangles = 0;
+};
+
+py::dict face_materials(SceneState& state) {
+  read_materials(state);
+  const std::shared_ptr<const LoadedScene> loaded = look_at(state);
+  py::dict result;
+  for (std::size_t i = 0; i < loaded->assets.mesh_materials.size(); ++i) {
+    const MeshMaterials& mesh = loaded->assets.mesh_materials[i];
+    const std::vector<std::size_t> triangles = triangles_of_materials(mesh);
+    py::list materials;
+    for (std::size_t k = 0; k < triangles.size(); ++k) {
+      materials.append(CountedMaterial{mesh.materials[k], triangles[k]});
+    }
+    result[py::str(loaded->ready.scene.mesh_files[i].name)] = py::tuple(materials);
+  }
+  return result;
+}
+
 }  // namespace
 
 void bind_findings(py::module_& m) {
@@ -195,6 +215,27 @@ void bind_findings(py::module_& m) {
         py::arg("allow_missing") = false, py::arg("asset_roots") = Paths(),
         py::arg("allow_outside") = false);
 
+  py::class_<CountedMaterial>(m, "FaceMaterial", "A material of mesh faces, from a .mtl file.")
+      .def_property_readonly("name", [](const CountedMaterial& m) { return m.name; })
+      .def_property_readonly(
+          "diffuse", [](const CountedMaterial& m) { return m.diffuse; }, "Kd")
+      .def_property_readonly(
+          "specular", [](const CountedMaterial& m) { return m.specular; }, "Ks")
+      .def_property_readonly(
+          "emission", [](const CountedMaterial& m) { return m.emission; }, "Ke")
+      .def_property_readonly(
+          "transmission", [](const CountedMaterial& m) { return m.transmission; }, "Tf")
+      .def_property_readonly(
+          "shininess", [](const CountedMaterial& m) { return shown(m.shininess); }, "Ns")
+      .def_property_readonly(
+          "ior", [](const CountedMaterial& m) { return shown(m.ior); }, "Ni")
+      .def_property_readonly("illum", [](const CountedMaterial& m) { return m.illum; })
+      .def_property_readonly(
+          "triangles", [](const CountedMaterial& m) { return m.triangles; },
+          "how many triangles of the mesh have it")
+      .def("__repr__",
+           [](const CountedMaterial& m) { return fmt::format("<FaceMaterial {}>", m.name); });
+
   auto scene = py::reinterpret_borrow<py::class_<SceneState, SharedState>>(m.attr("Scene"));
   scene
       .def(py::init([](const FilePath& folder) {
@@ -216,6 +257,8 @@ void bind_findings(py::module_& m) {
           py::arg("strict") = false, py::arg("deny_warnings") = false,
           py::arg("deny") = std::vector<std::string>(),
           py::arg("allow") = std::vector<std::string>())
+      .def_property_readonly("face_materials", &face_materials,
+                             "The materials of mesh faces by the mesh's file name.")
       .def_property_readonly(
           "diagnostics", [](SceneState& state) { return list_of(look_at(state)->diagnostics); });
 }

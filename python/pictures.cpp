@@ -7,7 +7,9 @@
 #include "scenefile/asset/image_file.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/file.h"
+#include "scenefile/path/render_path.h"
 #include "scenefile/trace/layers.h"
+#include "scenefile/trace/visit_options.h"
 #include "scenefile/verbs/explain.h"
 #include "scenefile/verbs/findings.h"
 #include "scenefile/verbs/render_error.h"
@@ -72,6 +74,17 @@ void write(const std::string& path, const std::string& bytes) {
   }
 }
 
+// What formats with 8 bits store.
+Image tones_of(const Picture& picture) {
+  return picture.options.mode == Mode::path
+             ? tone_mapped(picture.result.image, picture.tone, picture.exposure)
+             : picture.result.image;
+}
+
+Texture quantized(const Picture& picture) {
+  return quantize(tones_of(picture), rounding_of(picture.options.profile));
+}
+
 // Like `scenefile render`: layers go into the same .exr, or into files next to a .png.
 void save(const Picture& picture, const FilePath& path) {
   const std::optional<ImageFormat> format = image_format_of(path.text);
@@ -97,52 +110,131 @@ void save(const Picture& picture, const FilePath& path) {
     return write(path.text,
                  bytes_of(encode_layers(result.image.width, result.image.height, layers)));
   }
-  write(path.text, encoded(result.image, *format, rounding));
+  write(path.text, encoded(storage == LayerStorage::apart ? tones_of(picture) : result.image,
+                           *format, rounding));
   for (std::size_t i = 1; i < files.size(); ++i) {
-    const Image image =
-        layer_picture(picture.options.layers[i - 1], result.layers[i - 1], result.image.width,
-                      result.image.height, picture.options.max_depth);
+    const Layer& layer = picture.options.layers[i - 1];
+    Image image = layer_picture(layer, result.layers[i - 1], result.image.width,
+                                result.image.height, picture.options.max_depth);
+    if (is_path_light(layer.kind)) {
+      map_tones(image.rgb, picture.tone, picture.exposure,
+                brightest(result.image.rgb, picture.exposure));
+    }
     write(files[i].path, encoded(image, *format, Rounding::nearest));
   }
 }
 
-std::unique_ptr<Picture> draw(SceneState& state, const RenderOptions& options,
-                              const py::object& progress) {
-  const std::shared_ptr<const LoadedScene> loaded = usable(state);
-  if (const std::string missing = missing_light(options.layers, loaded->ready.scene.lights.size());
+// With the materials of mesh faces, if the arguments ask for mode path.
+std::shared_ptr<const LoadedScene> scene_to_draw(SceneState& state, const py::dict& given) {
+  if (asks_for_paths(given)) {
+    read_materials(state);
+  }
+  return usable(state);
+}
+
+struct FileOptions {
+  Tone tone = Tone::course;
+  double exposure = 0;
+  double seconds = 0;  // 0: no limit
+};
+
+// Takes the options of mode path that only the drawing of pictures has.
+FileOptions take_file_options(const py::dict& given, RenderOptions& options, bool samples_given) {
+  FileOptions file;
+  const auto take = [&](const char* name, const auto& set) {
+    if (!given.contains(name)) {
+      return;
+    }
+    if (options.mode != Mode::path) {
+      throw py::value_error(
+          fmt::format("{} is for path tracing: leave it out, or add mode=\"path\"", name));
+    }
+    try {
+      set(name, py::handle(given[name]));
+    } catch (const py::cast_error&) {
+      throw py::type_error(
+          fmt::format("{}: invalid value {}", name, py::repr(given[name]).cast<std::string>()));
+    }
+  };
+  take("tone", [&](const char* name, const py::handle& value) {
+    file.tone = from_word<Tone>(name, value.cast<std::string_view>(), tone_words);
+  });
+  take("exposure", [&](const char* name, const py::handle& value) {
+    file.exposure = real_number(name, value, -64, 64);
+  });
+  take("time", [&](const char* name, const py::handle& value) {
+    file.seconds = real_number(name, value, 0.001, 1e7);
+    options.samples = samples_given ? options.samples : option_field("samples").most;
+  });
+  return file;
+}
+
+RenderResult draw_paths(const LoadedScene& loaded, Picture& picture, double seconds,
+                        const Progress& go_on, std::uint64_t& dropped) {
+  PathResult path = render_path(loaded.ready.scene, loaded.assets, picture.options,
+                                {.progress = go_on, .seconds = seconds});
+  picture.options.samples = static_cast<int>(path.samples);
+  dropped = path.state.dropped;
+  RenderResult result;
+  result.image = std::move(path.image);
+  result.layers = std::move(path.layers);
+  result.status = path.status;
+  result.stats = path.stats;
+  return result;
+}
+
+std::unique_ptr<Picture> render_with(SceneState& state, const py::object& progress,
+                                     const py::kwargs& given) {
+  const std::shared_ptr<const LoadedScene> loaded = scene_to_draw(state, given);
+  const py::dict of_picture = given.attr("copy")();
+  for (const char* const name : {"tone", "exposure", "time"}) {
+    of_picture.attr("pop")(name, py::none());
+  }
+  auto picture = std::make_unique<Picture>();
+  picture->options = render_options(of_picture, lit_by_faces_only(*loaded));
+  const FileOptions file = take_file_options(given, picture->options, given.contains("samples"));
+  picture->tone = file.tone;
+  picture->exposure = file.exposure;
+  if (const std::string missing =
+          missing_light(picture->options.layers, loaded->ready.scene.lights.size());
       !missing.empty()) {
     throw py::value_error("layers: " + missing);
   }
-  auto picture = std::make_unique<Picture>();
-  picture->options = options;
   picture->inputs = used_files(*loaded, state.access, state.settings.limits);
+  std::uint64_t dropped = 0;
   run_interruptible(
       [&](const Progress& go_on) {
-        picture->result = render(loaded->ready.scene, loaded->assets, options, {.progress = go_on});
+        picture->result = picture->options.mode == Mode::path
+                              ? draw_paths(*loaded, *picture, file.seconds, go_on, dropped)
+                              : render(loaded->ready.scene, loaded->assets, picture->options,
+                                       {.progress = go_on});
       },
       progress);
   if (const std::optional<Error> error = render_error(picture->result.status)) {
     raise_error(*error);
   }
+  if (dropped > 0 &&
+      PyErr_WarnEx(
+          PyExc_RuntimeWarning,
+          fmt::format("{} samples were not finite; their light is missing", dropped).c_str(),
+          1) != 0) {
+    throw py::error_already_set();
+  }
   return picture;
-}
-
-std::unique_ptr<Picture> render_with(SceneState& state, const py::object& progress,
-                                     const py::kwargs& given) {
-  return draw(state, render_options(given), progress);
 }
 
 // For notebooks: small, with few samples.
 py::object preview(SceneState& state) {
-  if (!look_at(state)->usable()) {
+  const std::shared_ptr<const LoadedScene> loaded = look_at(state);
+  if (!loaded->usable()) {
     return py::none();
   }
-  RenderOptions options = default_options(Profile::fine);
-  options.width = 400;
-  options.height = 300;
-  options.samples = 4;
-  const std::unique_ptr<Picture> picture = draw(state, options, py::none());
-  return png_of(quantize(picture->result.image, Rounding::nearest));
+  const bool paths = lit_by_faces_only(*loaded);
+  py::kwargs options;
+  options["size"] = py::make_tuple(400, 300);
+  options["samples"] = paths ? 16 : 4;
+  options["denoise"] = paths;
+  return png_of(quantized(*render_with(state, py::none(), options)));
 }
 
 struct Explanation {
@@ -152,12 +244,12 @@ struct Explanation {
 
 Explanation explain(SceneState& state, int x, int y, std::optional<std::uint32_t> sample,
                     const py::kwargs& given) {
-  const RenderOptions options = render_options(given);
+  const std::shared_ptr<const LoadedScene> loaded = scene_to_draw(state, given);
+  const RenderOptions options = render_options(given, lit_by_faces_only(*loaded));
   if (x < 0 || y < 0 || x >= options.width || y >= options.height) {
     throw py::value_error(fmt::format("({}, {}) is not in the picture: (0, 0) to ({}, {})", x, y,
                                       options.width - 1, options.height - 1));
   }
-  const std::shared_ptr<const LoadedScene> loaded = usable(state);
   Explanation explanation;
   std::optional<Error> error;
   {
@@ -210,7 +302,7 @@ Texture texture_of_values(const py::array_t<T, py::array::c_style | py::array::f
 DecodedPicture picture_of(const py::handle& picture, const std::string& layer) {
   if (py::isinstance<Picture>(picture)) {
     const auto& p = picture.cast<const Picture&>();
-    return {.texture = quantize(p.result.image, rounding_of(p.options.profile))};
+    return {.texture = quantized(p)};
   }
   if (py::isinstance<py::array>(picture)) {
     const auto array = py::reinterpret_borrow<py::array>(picture);
@@ -260,15 +352,16 @@ void bind_pictures(py::module_& m) {
       .def_property_readonly("height", [](const Picture& p) { return p.result.image.height; })
       .def_property_readonly("profile",
                              [](const Picture& p) { return profile_word(p.options.profile); })
+      .def_property_readonly("mode", [](const Picture& p) { return mode_word(p.options.mode); })
+      .def_property_readonly(
+          "samples", [](const Picture& p) { return p.options.samples; },
+          "per pixel: in mode path the number taken, otherwise the maximum")
       .def_property_readonly(
           "pixels", &pixels_of,
           "height x width x 3 floats, where 1 is full intensity; shares the picture's memory")
       .def_property_readonly("layers", &layers_of, "the requested layers, by name")
       .def_property_readonly(
-          "quantized",
-          [](const Picture& p) {
-            return array_of(quantize(p.result.image, rounding_of(p.options.profile)));
-          },
+          "quantized", [](const Picture& p) { return array_of(quantized(p)); },
           "height x width x 3 bytes, as stored in a .png")
       .def_property_readonly("rays",
                              [](const Picture& p) {
@@ -278,10 +371,7 @@ void bind_pictures(py::module_& m) {
       .def("save", &save,
            "Writes a .png, .exr or .pfm atomically. Never replaces the scene or its files.",
            py::arg("path"))
-      .def("_repr_png_",
-           [](const Picture& p) {
-             return png_of(quantize(p.result.image, rounding_of(p.options.profile)));
-           })
+      .def("_repr_png_", [](const Picture& p) { return png_of(quantized(p)); })
       .def("__repr__", [](const Picture& p) {
         return fmt::format("<Picture {}x{}, {}>", p.result.image.width, p.result.image.height,
                            profile_word(p.options.profile));

@@ -2,6 +2,7 @@
 
 #include "scenefile/asset/image_file.h"
 #include "scenefile/io/used_files.h"
+#include "scenefile/path/tone.h"
 #include "scenefile/trace/render.h"
 
 #include <pybind11/numpy.h>
@@ -14,7 +15,9 @@ namespace scenefile::python {
 /// A rendered picture. Its arrays share its memory.
 struct Picture {
   RenderResult result;
-  RenderOptions options;
+  RenderOptions options;     ///< `samples`: in mode path the number that was taken
+  Tone tone = Tone::course;  ///< of 8-bit pictures in mode path
+  double exposure = 0;
   std::vector<UsedFile> inputs = {};  ///< which the file of the picture must not replace
 };
 

@@ -77,13 +77,21 @@ constexpr SpecialOption special_options[] = {
     {"mode", "mode",
      [](RenderOptions& o, const py::handle& v) {
        o.mode = from_word<Mode>("mode", v.cast<std::string_view>(), mode_words);
-       if (o.mode == Mode::path) {
-         throw py::value_error("mode: path is only in the program: scenefile render --mode path");
-       }
      }},
     {"features", "features", set_features},
     {"crop", "crop", set_crop},
     {"layers", "layers", set_layers},
+    {"continuation", "continuation",
+     [](RenderOptions& o, const py::handle& v) {
+       o.continuation = real_number("continuation", v, 0.01, 0.99);
+     }},
+    {"convention", "convention",
+     [](RenderOptions& o, const py::handle& v) {
+       o.convention =
+           from_word<Convention>("convention", v.cast<std::string_view>(), convention_words);
+     }},
+    {"clamp", "clamp",
+     [](RenderOptions& o, const py::handle& v) { o.clamp = real_number("clamp", v, 1e-3, 1e9); }},
 };
 
 // Returns whether it is a field for numbers or flags.
@@ -105,24 +113,74 @@ bool set_plain(RenderOptions& options, std::string_view name, const py::handle& 
   return found;
 }
 
-void set_option(RenderOptions& options, const std::string& name, const py::handle& value) {
-  const SpecialOption* special = nullptr;
+const SpecialOption* special_option(std::string_view name) {
   for (const SpecialOption& option : special_options) {
-    special = option.name == name ? &option : special;
+    if (option.name == name) {
+      return &option;
+    }
   }
-  const std::string_view field = special != nullptr ? special->field : name;
-  if (!supports_option(options.profile, support_of(field))) {
+  return nullptr;
+}
+
+OptionSupport support_for(std::string_view name) {
+  const SpecialOption* const special = special_option(name);
+  return support_of(special != nullptr ? special->field : name);
+}
+
+void set_option(RenderOptions& options, const std::string& name, const py::handle& value) {
+  const SpecialOption* const special = special_option(name);
+  if (!supports_option(options.profile, support_for(name))) {
     throw py::value_error(fmt::format("{} is for the profile fine: leave it out, or profile=\"{}\"",
                                       name, profile_word(options.profile)));
-  }
-  if (!supports_option(Mode::ray, support_of(field))) {
-    throw py::type_error(fmt::format("a picture has no option {}", name));
   }
   if (special != nullptr) {
     special->set(options, value);
   } else if (!set_plain(options, name, value)) {
     throw py::type_error(fmt::format("a picture has no option {}", name));
   }
+}
+
+// Empty if the mode has all given options and layers.
+std::string unsupported_in(Mode mode, const RenderOptions& options, const py::dict& given) {
+  for (const auto& [key, value] : given) {
+    const auto name = key.cast<std::string>();
+    if (!supports_option(mode, support_for(name))) {
+      return mode == Mode::path
+                 ? fmt::format("{} has no effect in mode path: leave it out", name)
+                 : fmt::format("{} is for path tracing: leave it out, or add mode=\"path\"", name);
+    }
+  }
+  for (const Layer& layer : options.layers) {
+    if (!has_layer(mode, layer.kind)) {
+      return mode == Mode::path ? fmt::format("layers: mode path has no {}", layer_name(layer))
+                                : fmt::format(
+                                      "layers: {} is a layer of path tracing: leave it "
+                                      "out, or add mode=\"path\"",
+                                      layer_name(layer));
+    }
+  }
+  return {};
+}
+
+// Determines the mode, and its defaults.
+void finish_mode(RenderOptions& options, const py::dict& given, bool lit_by_faces_only) {
+  if (lit_by_faces_only && !given.contains("mode") && options.profile == Profile::fine &&
+      unsupported_in(Mode::path, options, given).empty()) {
+    options.mode = Mode::path;
+  }
+  if (const std::string wrong = unsupported_in(options.mode, options, given); !wrong.empty()) {
+    throw py::value_error(wrong);
+  }
+  if (options.mode != Mode::path) {
+    return;
+  }
+  if (options.profile != Profile::fine) {
+    throw py::value_error(
+        fmt::format("mode: path is for the profile fine: leave it out, or profile=\"{}\"",
+                    profile_word(options.profile)));
+  }
+  options.samples = given.contains("samples") ? options.samples : path_samples;
+  options.max_depth = given.contains("max_depth") ? options.max_depth : path_max_depth;
 }
 
 void check_crop(const RenderOptions& options) {
@@ -155,7 +213,20 @@ std::string joined_words(const py::handle& words) {
   return list;
 }
 
-RenderOptions render_options(const py::dict& given) {
+double real_number(std::string_view name, const py::handle& value, double least, double most) {
+  const auto n = value.cast<double>();
+  if (!(n >= least && n <= most)) {
+    throw py::value_error(fmt::format("{}: {} is not between {} and {}", name, n, least, most));
+  }
+  return n;
+}
+
+bool asks_for_paths(const py::dict& given) {
+  return given.contains("mode") && py::isinstance<py::str>(given["mode"]) &&
+         py::handle(given["mode"]).cast<std::string_view>() == mode_word(Mode::path);
+}
+
+RenderOptions render_options(const py::dict& given, bool lit_by_faces_only) {
   Profile profile = Profile::fine;
   if (given.contains("profile")) {
     profile = from_word<Profile>("profile", py::handle(given["profile"]).cast<std::string_view>(),
@@ -172,6 +243,7 @@ RenderOptions render_options(const py::dict& given) {
     }
   }
   check_crop(options);
+  finish_mode(options, given, lit_by_faces_only);
   return options;
 }
 

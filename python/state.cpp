@@ -65,6 +65,14 @@ std::shared_ptr<const LoadedScene> usable(SceneState& state) {
   return loaded;
 }
 
+void read_materials(SceneState& state) {
+  if (!state.settings.materials) {
+    state.settings.materials = true;
+    state.loaded.reset();
+    ++state.edits;
+  }
+}
+
 void raise_unusable(const LoadedScene& scene) {
   if (scene.unreadable) {
     raise_error(*scene.unreadable);

@@ -33,6 +33,9 @@ std::shared_ptr<const LoadedScene> look_at(SceneState& state);
 /// The same, for work that needs a usable scene; raises SceneError or OSError if it is not.
 std::shared_ptr<const LoadedScene> usable(SceneState& state);
 
+/// From now on, the materials of mesh faces are read even if the scene has lights.
+void read_materials(SceneState& state);
+
 /// Raises SceneError, or OSError if the file cannot be read.
 [[noreturn]] void raise_unusable(const LoadedScene& scene);
 [[noreturn]] void raise_error(const Error& error);

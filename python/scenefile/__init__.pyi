@@ -9,7 +9,9 @@ _Path: TypeAlias = str | PathLike[str]
 _Triple: TypeAlias = Sequence[SupportsFloat] | NDArray[Any]
 _Words: TypeAlias = str | Iterable[str]
 _Profile: TypeAlias = Literal["course", "fine"]
-_Mode: TypeAlias = Literal["ray", "intersect", "normals"]
+_Mode: TypeAlias = Literal["ray", "intersect", "normals", "path"]
+_RayMode: TypeAlias = Literal["ray", "intersect", "normals"]
+_Convention: TypeAlias = Literal["physics", "course"]
 _Shape: TypeAlias = Literal["cube", "cone", "cylinder", "sphere", "mesh"]
 _LightType: TypeAlias = Literal["point", "directional", "spot", "area"]
 _Picture: TypeAlias = "_Path | Picture | NDArray[np.uint8] | NDArray[np.floating[Any]]"
@@ -268,6 +270,10 @@ class Picture:
     @property
     def profile(self) -> _Profile: ...
     @property
+    def mode(self) -> _Mode: ...
+    @property
+    def samples(self) -> int: ...
+    @property
     def pixels(self) -> NDArray[np.float32]: ...
     @property
     def layers(self) -> dict[str, NDArray[np.float32]]: ...
@@ -283,6 +289,26 @@ class Explanation:
     def text(self) -> str: ...
     @property
     def data(self) -> dict[str, Any]: ...
+
+class FaceMaterial:
+    @property
+    def name(self) -> str: ...
+    @property
+    def diffuse(self) -> Vec3: ...
+    @property
+    def specular(self) -> Vec3: ...
+    @property
+    def emission(self) -> Vec3: ...
+    @property
+    def transmission(self) -> Vec3: ...
+    @property
+    def shininess(self) -> float: ...
+    @property
+    def ior(self) -> float: ...
+    @property
+    def illum(self) -> int: ...
+    @property
+    def triangles(self) -> int: ...
 
 class Scene:
     def __init__(self, *, folder: _Path = ...) -> None: ...
@@ -306,6 +332,8 @@ class Scene:
     def lights(self) -> tuple[Light, ...]: ...
     @property
     def primitives(self) -> tuple[Primitive, ...]: ...
+    @property
+    def face_materials(self) -> dict[str, tuple[FaceMaterial, ...]]: ...
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]: ...
     def add_template(self, name: str) -> Node: ...
@@ -334,6 +362,15 @@ class Scene:
         crop: tuple[int, int, int, int] | None = ...,
         layers: _Words = ...,
         denoise: bool = ...,
+        light_samples: int = ...,
+        mis: bool = ...,
+        direct_only: bool = ...,
+        continuation: float = ...,
+        convention: _Convention = ...,
+        clamp: float = ...,
+        time: float = ...,
+        tone: Literal["course", "none"] = ...,
+        exposure: float = ...,
     ) -> Picture: ...
     def explain(
         self,
@@ -354,6 +391,12 @@ class Scene:
         crop: tuple[int, int, int, int] | None = ...,
         layers: _Words = ...,
         denoise: bool = ...,
+        light_samples: int = ...,
+        mis: bool = ...,
+        direct_only: bool = ...,
+        continuation: float = ...,
+        convention: _Convention = ...,
+        clamp: float = ...,
     ) -> Explanation: ...
     def to_text(self, format: Literal["xml", "json"] = ...) -> str: ...
     def save(self, path: _Path) -> list[Diagnostic]: ...
@@ -537,7 +580,7 @@ def compare(
     layer: str = ...,
     progress: _Progress = ...,
     profile: _Profile = ...,
-    mode: _Mode = ...,
+    mode: _RayMode = ...,
     features: _Words = ...,
     max_depth: int = ...,
 ) -> Comparison: ...
@@ -556,7 +599,7 @@ def grade(
     layer: str = ...,
     progress: _Progress = ...,
     profile: _Profile = ...,
-    mode: _Mode = ...,
+    mode: _RayMode = ...,
     features: _Words = ...,
     max_depth: int = ...,
 ) -> Gradebook: ...

@@ -92,6 +92,107 @@ def test_options_that_make_no_sense(ball, options, error, words):
         scene.render(**options)
 
 
+@pytest.fixture
+def box(tmp_path):
+    """A closed box of which two triangles shine."""
+    (tmp_path / "box.mtl").write_text("newmtl lamp\nKe 6 5 4\nnewmtl wall\nKd .7 .6 .5\nKs .1 .1 .1\nNs 20\nillum 2\n")
+    (tmp_path / "box.obj").write_text(
+        "mtllib box.mtl\nusemtl wall\n"
+        "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
+        "f 1 2 3 4\nf 1 5 6 2\nf 1 4 8 5\nf 2 6 7 3\nusemtl lamp\nf 4 3 7 8\n")
+    (tmp_path / "box.xml").write_text(
+        '<scenefile><cameradata><pos x="0" y="0" z="3"/><focus x="0" y="0" z="0"/><up x="0" y="1" z="0"/>'
+        '<heightangle v="45"/></cameradata><object type="tree" name="root"><transblock>'
+        '<object type="primitive" name="mesh" filename="box.obj"/></transblock></object></scenefile>')
+    return tmp_path / "box.xml"
+
+
+@pytest.mark.parametrize("keywords, words", [
+    ({}, ()),
+    ({"samples": 5, "seed": 3, "continuation": 0.7, "clamp": 2.5, "light_samples": 2, "exposure": 1.5},
+     ("--mode", "path", "--samples", "5", "--seed", "3", "--continue", "0.7", "--clamp", "2.5", "--light-samples", "2", "--exposure", "1.5")),
+    ({"samples": 4, "mis": False, "direct_only": True, "convention": "course", "tone": "none", "denoise": True},
+     ("--mode", "path", "--samples", "4", "--no-mis", "--direct-only", "--convention", "course", "--tone", "none", "--denoise")),
+    ({"samples": 4, "layers": ["direct", "bounce-1", "variance", "normal"], "crop": (4, 4, 20, 16)},
+     ("--mode", "path", "--samples", "4", "--aov", "direct,bounce-1,variance,normal", "--crop", "4,4,20,16")),
+])
+def test_paths_are_the_programs(box, tmp_path, program, keywords, words):
+    picture = scenefile.read(box).render(size=(32, 24), **keywords)
+    assert picture.mode == "path" and picture.samples == keywords.get("samples", 64)
+    for extension in ("png", "exr"):
+        theirs, ours = tmp_path / f"theirs.{extension}", tmp_path / f"ours.{extension}"
+        program("render", box, "--size", "32x24", "-o", theirs, *words)
+        picture.save(ours)
+        for name in ("", *(f".{layer}" for layer in picture.layers if extension == "png")):
+            assert (tmp_path / f"ours{name}.{extension}").read_bytes() == (tmp_path / f"theirs{name}.{extension}").read_bytes()
+    assert np.array_equal(scenefile.read_picture(tmp_path / "theirs.png"), picture.quantized)
+    assert picture.quantized.max() > 100
+
+
+def test_mode_path_of_a_scene_with_lights(box, ball, tmp_path, program):
+    scene = scenefile.read(box)
+    scene.root.add_light("point").color = (0.5, 0.5, 0.5)
+    assert scene.render(size=(8, 6)).mode == "ray"
+    picture = scene.render(size=(32, 24), mode="path", samples=4)
+    assert picture.layers == {} and picture.pixels.max() > 1  # the lamp, whose material was read
+    scene.save(tmp_path / "lit.xml")
+    program("render", tmp_path / "lit.xml", "--mode", "path", "--samples", "4", "--size", "32x24", "-o", tmp_path / "a.pfm")
+    picture.save(tmp_path / "b.pfm")
+    assert (tmp_path / "a.pfm").read_bytes() == (tmp_path / "b.pfm").read_bytes()
+    assert scenefile.read(ball).render(size=(8, 6), mode="path", samples=2).pixels.max() > 0.1
+
+
+def test_the_mode_is_chosen_as_by_the_program(box):
+    scene = scenefile.read(box)
+    for options in ({"mode": "ray"}, {"profile": "course"}, {"features": "shadows"}, {"layers": "depth"}):
+        assert scene.render(size=(8, 6), **options).mode == options.get("mode", "ray")
+    limited = scene.render(size=(8, 6), time=0.05)
+    assert 1 <= limited.samples <= 65536
+    again = scene.render(size=(8, 6), samples=limited.samples)
+    assert np.array_equal(limited.pixels, again.pixels)
+    assert scene.render(size=(8, 6), time=30, samples=3).samples == 3
+
+
+def test_a_path_is_explained(box, program):
+    explanation = scenefile.read(box).explain(16, 12, size=(32, 24), samples=8)
+    text = program("explain", box, "--pixel", "16,12", "--size", "32x24", "--samples", "8")
+    assert explanation.text.strip() == text.strip()
+    assert explanation.data["mode"] == "path" and explanation.data["samples"] == 8
+
+
+def test_face_materials(box):
+    scene = scenefile.read(box)
+    materials = scene.face_materials["box.obj"]
+    assert [(m.name, m.triangles) for m in materials] == [("wall", 8), ("lamp", 2)]
+    assert materials[0].diffuse == (0.7, 0.6, 0.5) and materials[1].emission == (6, 5, 4)
+    assert (materials[0].shininess, materials[0].illum, materials[1].ior) == (20, 2, 1)
+    scene.root.add_light("point")
+    assert len(scene.face_materials["box.obj"]) == 2
+
+
+@pytest.mark.parametrize("options, words", [
+    ({"layers": "direct"}, "layer of path tracing"),
+    ({"mode": "ray", "layers": ["bounce-1"]}, "layer of path tracing"),
+    ({"mode": "path", "layers": "depth"}, "mode path has no depth"),
+    ({"clamp": 2}, "clamp is for path tracing"),
+    ({"tone": "none"}, "tone is for path tracing"),
+    ({"mode": "path", "tone": "film"}, "not one of course, none"),
+    ({"mode": "path", "features": "shadows"}, "features has no effect in mode path"),
+    ({"mode": "path", "fresnel": True}, "fresnel has no effect"),
+    ({"mode": "path", "profile": "course"}, "mode: path is for the profile fine"),
+    ({"mode": "path", "continuation": 2}, "not between 0.01 and 0.99"),
+    ({"mode": "path", "exposure": float("nan")}, "exposure"),
+    ({"mode": "path", "time": 0}, "time"),
+    ({"mode": "path", "light_samples": -1}, "light_samples"),
+    ({"mode": "path", "convention": "art"}, "not one of physics, course"),
+])
+def test_options_of_paths_that_make_no_sense(ball, options, words):
+    with pytest.raises(ValueError, match=words):
+        scenefile.read(ball).render(**options)
+    with pytest.raises(ValueError, match="mode: path is for render and explain"):
+        scenefile.compare(np.zeros((4, 4, 3)), np.zeros((4, 4, 3)), ball, mode="path")
+
+
 def test_progress_is_told_and_stops(scenes):
     scene = scenefile.read(scenes / "showcase.xml")
     told = []

@@ -321,16 +321,13 @@ class Frames {
   Outcome scene_text(std::size_t index, std::string& text) const {
     context_.phase = "writing a scene";
     const std::string path = scene_name(index);
-    LoadedScene scene;
-    scene.path = scene_.path;
-    scene.written = scene_.written;
-    scene.diagnostics = Diagnostics(options_.load.limits);
-    scene.written.camera = motion_.cameras[index];
-    carry_files(scene, path, options_);
+    Scene scene = scene_.written;
+    scene.camera = motion_.cameras[index];
     const bool json = path.ends_with(".json");
-    text = write_scene(scene.written, json ? SceneFormat::json : SceneFormat::xml,
-                       options_.load.limits, scene.diagnostics);
-    return scene.diagnostics.has_errors()
+    Diagnostics diagnostics(options_.load.limits);
+    text = write_scene(scene, json ? SceneFormat::json : SceneFormat::xml, options_.load.limits,
+                       diagnostics);
+    return diagnostics.has_errors()
                ? Outcome{ExitCode::findings,
                          fmt::format("{}: the scene cannot be written in this format",
                                      escaped(path, 400))}
@@ -439,6 +436,10 @@ ExitCode run_frames(const Options& given, Context& context) {
   LoadedScene scene = load_scene(options.arguments.front(), options, depth_for(options.render),
                                  options.load.allow_missing, context);
   check_picture(scene, options.render);
+  if (!options.write_scenes.empty() && scene.usable()) {
+    // All of them are in the folder of the first.
+    carry_files(scene, frame_name(options.write_scenes, 1), options);
+  }
   const auto say_findings = [&] {
     if (!options.json) {
       say(findings_text(scene, options.quiet ? Verbosity::errors : Verbosity::warnings,
@@ -504,12 +505,17 @@ ExitCode run_frames(const Options& given, Context& context) {
   }
   if (outcome.status == ExitCode::fine && !options.quiet) {
     say_afterwards([&] {
+      const std::size_t frames = motion.cameras.size();
+      if (options.output.empty()) {
+        const std::size_t written =
+            options.range ? static_cast<std::size_t>(options.range->last - options.range->first + 1)
+                          : frames;
+        return fmt::format("{}: {} scene{} written; {:.2f} s\n", escaped(given.write_scenes),
+                           written, written == 1 ? "" : "s", seconds);
+      }
       return fmt::format("{}: {} of {} frame{} drawn, {} skipped; {:.2f} s\n",
-                         escaped(!given.output.empty()  ? given.output
-                                 : !given.video.empty() ? given.video
-                                                        : given.write_scenes),
-                         drawn, motion.cameras.size(), motion.cameras.size() == 1 ? "" : "s",
-                         skipped, seconds);
+                         escaped(given.output.empty() ? given.video : given.output), drawn, frames,
+                         frames == 1 ? "" : "s", skipped, seconds);
     });
   }
   return outcome.status;

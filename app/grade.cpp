@@ -274,6 +274,11 @@ ExitCode run_grade(const Options& options, Context& context) {
     }
     return refused.status;
   }
+  if (!options.quiet && !options.json) {
+    for (const std::string& note : grader->notes()) {
+      say(fmt::format("note: {}\n", note));
+    }
+  }
   StudentStore store(options, *grader, request.map);
   Outcome outcome = store.open(context);
   if (outcome.status == ExitCode::fine && options.missing) {

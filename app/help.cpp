@@ -121,6 +121,9 @@ std::string example_text(std::string_view lines, std::size_t width) {
 }
 
 std::string no_such_topic(const std::string& topic) {
+  if (topic == "lsp") {
+    return std::string(language_server_place);
+  }
   std::vector<std::string_view> known(command_names().begin(), command_names().end());
   known.insert(known.end(), code_names().begin(), code_names().end());
   known.insert(known.end(), code_families().begin(), code_families().end());
@@ -142,7 +145,8 @@ bool is_family(std::string_view name) {
 }
 
 // Families that have the name of a command need the word codes.
-ExitCode run_help_codes(const std::string& family, const Options& options) {
+ExitCode run_help_codes(const std::string& given, const Options& options) {
+  const std::string family = given.substr(0, given.find('.'));
   if (!is_family(family)) {
     say_error(fmt::format("there are no codes {}.*{}", escaped(family),
                           did_you_mean(family, code_families())));

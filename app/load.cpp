@@ -37,10 +37,17 @@ LoadedScene load_scene(const std::string& path, const Options& options, LoadDept
 LoadedScene load_for_tracing(Options& options, Context& context) {
   LoadedScene scene = load_scene(options.arguments.front(), options, depth_for(options.render),
                                  options.load.allow_missing, context);
-  if (!excludes_path_mode(options) && lit_by_faces_only(scene)) {
-    set_path_mode(options);
+  if (options.render.mode != Mode::path && may_choose_path_mode(options) &&
+      lit_by_faces_only(scene)) {
+    const std::string other = option_without_paths(options);
+    if (other.empty()) {
+      set_path_mode(options);
+    }
     if (!options.quiet && !options.json) {
-      say("note: faces of this scene emit light, and it has no lights: using --mode path\n");
+      say(other.empty()
+              ? "note: faces of this scene emit light, and it has no lights: using --mode path\n"
+              : fmt::format("note: {} is not for path tracing, so this scene is ray traced\n",
+                            other));
     }
   }
   check_picture(scene, options.render);

@@ -18,6 +18,7 @@
 #include <array>
 #include <cstdint>
 #include <exception>
+#include <filesystem>
 #include <new>
 
 namespace scenefile::app {
@@ -174,8 +175,7 @@ std::string unknown_command(std::string_view name) {
                        quoted(name));
   }
   if (name == "lsp") {
-    return "the language server is the command lsp of the npm package, npx scenefile lsp; "
-           "docs/editors.md says how to install it";
+    return std::string(language_server_place);
   }
   if (is_scene_name(name)) {
     return fmt::format("{} is a file, not a command; a command comes first: scenefile check {}",
@@ -218,7 +218,9 @@ ExitCode run_command(const Command& command, std::span<const char* const> words,
     make_output_folder(options);
   }
   const ExitCode status = command.run(options, context);
-  if (status == ExitCode::environment && !configured.scene.starts_with('/')) {
+  std::error_code ignored;
+  if (status == ExitCode::environment && !configured.scene.starts_with('/') &&
+      !std::filesystem::exists(configured.scene, ignored)) {
     say("Relative paths of a configuration start at the working directory.\n");
   }
   return status;

@@ -189,6 +189,16 @@ OptionSupport support_for(const OptionRow& row) {
   return row.field.empty() ? row.support : support_of(row.field);
 }
 
+// Whether the mode is not given, and an option is only for path tracing.
+bool implies_path_mode(const Command& command, const Options& options) {
+  return (command.bit & (for_render | for_explain)) != 0 && may_choose_path_mode(options) &&
+         (std::any_of(options.render.layers.begin(), options.render.layers.end(),
+                      [](const Layer& layer) { return !has_layer(Mode::ray, layer.kind); }) ||
+          std::any_of(options.given.begin(), options.given.end(), [](const GivenOption& given) {
+            return !supports_option(Mode::ray, support_for(*given.row));
+          }));
+}
+
 // Checks that each option has an effect with the selected engine, profile and mode.
 std::string check_support(const Command& command, const Options& options) {
   if (options.render.mode == Mode::path) {
@@ -217,8 +227,8 @@ std::string check_support(const Command& command, const Options& options) {
     if (!supports_option(options.render.mode, support)) {
       return options.render.mode == Mode::path
                  ? fmt::format("{} has no effect on paths: leave it out, or --mode path", row->name)
-                 : fmt::format("{0} is for path tracing: leave it out, or add --mode path",
-                               row->name);
+                 : fmt::format("{} is for path tracing: leave it out, or --mode {}", row->name,
+                               mode_word(options.render.mode));
     }
   }
   for (const Layer& layer : options.render.layers) {
@@ -228,10 +238,8 @@ std::string check_support(const Command& command, const Options& options) {
                        "--aov: mode path has no layer {}; it has normal, albedo, direct, "
                        "bounce-N, specular, variance and samples",
                        layer_name(layer))
-                 : fmt::format(
-                       "--aov: {} is a layer of path tracing: leave it out, or add --mode "
-                       "path",
-                       layer_name(layer));
+                 : fmt::format("--aov: {} is a layer of path tracing: leave it out, or --mode {}",
+                               layer_name(layer), mode_word(options.render.mode));
     }
   }
   const int samples = options.render.samples;
@@ -451,7 +459,7 @@ std::string parse_options(const Command& command, std::span<const char* const> w
   if (options.realtime) {
     options.engine = Engine::gl;
   }
-  if (options.render.mode == Mode::path) {
+  if (options.render.mode == Mode::path || implies_path_mode(command, options)) {
     set_path_mode(options);
   }
   options.load.compat_course =
@@ -473,7 +481,7 @@ std::string config_argument(const Command& command, std::span<const char* const>
   } catch (const CLI::ParseError&) {
     return {};  // parse_options() reports it
   }
-  return options.arguments.size() == 1 && is_config_name(options.arguments.front())
+  return !options.help && options.arguments.size() == 1 && is_config_name(options.arguments.front())
              ? options.arguments.front()
              : std::string();
 }
@@ -494,14 +502,23 @@ void set_path_mode(Options& options) {
   }
 }
 
-bool excludes_path_mode(const Options& options) {
-  return options.engine != Engine::trace || options.render.profile != Profile::fine ||
-         was_given(options, "--mode") ||
-         std::any_of(options.render.layers.begin(), options.render.layers.end(),
-                     [](const Layer& layer) { return !has_layer(Mode::path, layer.kind); }) ||
-         std::any_of(options.given.begin(), options.given.end(), [](const GivenOption& given) {
-           return !supports_option(Mode::path, support_for(*given.row));
-         });
+bool may_choose_path_mode(const Options& options) {
+  return options.engine == Engine::trace && options.render.profile == Profile::fine &&
+         !was_given(options, "--mode");
+}
+
+std::string option_without_paths(const Options& options) {
+  for (const GivenOption& given : options.given) {
+    if (!supports_option(Mode::path, support_for(*given.row))) {
+      return std::string(given.row->name);
+    }
+  }
+  for (const Layer& layer : options.render.layers) {
+    if (!has_layer(Mode::path, layer.kind)) {
+      return "--aov " + layer_name(layer);
+    }
+  }
+  return {};
 }
 
 RenderOptions render_options(const Options& options, Profile profile) {

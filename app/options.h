@@ -146,8 +146,10 @@ bool was_given(const Options& options, std::string_view name);
 
 /// Sets mode path, with its defaults for what was not given.
 void set_path_mode(Options& options);
-/// Whether an option was given that mode path does not have.
-bool excludes_path_mode(const Options& options);
+/// Whether scenes that only faces light are drawn in mode path.
+bool may_choose_path_mode(const Options& options);
+/// The first given option, or layer, that mode path does not have; else empty.
+std::string option_without_paths(const Options& options);
 
 /// options.render with the defaults of this profile.
 RenderOptions render_options(const Options& options, Profile profile);

@@ -197,6 +197,19 @@ TEST_F(FramesTest, NoOtherSceneIsReplaced) {
   EXPECT_EQ(folder.read("own1.xml"), good_scene);
 }
 
+TEST_F(FramesTest, ScenesInAnotherFolderSayWhichFilesAreMissingThere) {
+  std::filesystem::create_directories(folder.path("far/away"));
+  folder.write("textured.xml",
+               scene_with("<diffuse r=\"1\" g=\"0\" b=\"0\"/><texture file=\"one.png\" u=\"1\" "
+                          "v=\"1\"/>"));
+  render("scene.xml");
+  const ProgramRun out =
+      run({"frames", "textured.xml", "--turntable", "2", "--write-scenes", "far/away/s%d.xml"});
+  EXPECT_EQ(out.status, 0) << out.err;
+  EXPECT_THAT(out.err, AllOf(HasSubstr("\"one.png\" is not found from the folder of the output"),
+                             HasSubstr("far/away/s%d.xml: 2 scenes written")));
+}
+
 TEST_F(FramesTest, OpenGlDrawsTheRendersOfTheirScenes) {
   const ProgramRun drawn =
       frames({"--turntable", "3", "-o", "f%d.png", "--write-scenes", "s%d.xml", "--engine", "gl"});

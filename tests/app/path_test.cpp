@@ -118,9 +118,9 @@ TEST_F(PathCommand, RefusesWhatItDoesNotHave) {
   }
   for (const Words& more : {Words{"--light-samples", "2"}, Words{"--direct-only"},
                             Words{"--time", "1"}, Words{"--tone", "none"}}) {
-    const ProgramRun run = render("a.png", more);
+    const ProgramRun run = render("a.png", Words{"--mode", "ray"} + more);
     EXPECT_EQ(run.status, 2) << more[0] << run.err;
-    EXPECT_THAT(run.err, HasSubstr("add --mode path")) << more[0];
+    EXPECT_THAT(run.err, HasSubstr("leave it out, or --mode ray")) << more[0];
   }
   const ProgramRun frames = run_program(
       {"frames", scene, "-o", folder.path("f%d.png"), "--turntable", "2", "--mode", "path"});
@@ -130,6 +130,24 @@ TEST_F(PathCommand, RefusesWhatItDoesNotHave) {
       {"explain", scene, "--pixel", "5,5", "--mode", "path", "--mine", folder.path("a.png")});
   EXPECT_EQ(mine.status, 2);
   EXPECT_THAT(mine.err, HasSubstr("--mine has no effect on paths"));
+}
+
+TEST_F(PathCommand, IsImpliedByItsOptionsAndLayers) {
+  folder.write("scene.xml", R"(<scenefile><globaldata><ambientcoeff v="0.5"/>
+<diffusecoeff v="1"/><specularcoeff v="0.5"/></globaldata><cameradata><pos x="0" y="3" z="6"/>
+<focus x="0" y="0" z="0"/><up x="0" y="1" z="0"/><heightangle v="45"/></cameradata>
+<lightdata><id v="0"/><type v="point"/><color r="1" g="1" b="1"/><position x="3" y="4" z="4"/>
+<function a="1" b="0" c="0"/></lightdata>
+<object type="tree" name="root"><transblock><object type="primitive" name="cube">
+<diffuse r="0.6" g="0.8" b="1"/></object></transblock></object></scenefile>)");
+  const Words samples{"--samples", "2"};
+  ASSERT_EQ(render("a.pfm", samples + Words{"--mode", "path", "--light-samples", "2"}).status, 0);
+  EXPECT_EQ(render("b.pfm", samples + Words{"--light-samples", "2"}).status, 0);
+  EXPECT_EQ(folder.read("a.pfm"), folder.read("b.pfm"));
+  EXPECT_EQ(render("c.exr", samples + Words{"--aov", "variance"}).status, 0);
+  const ProgramRun both = render("d.png", {"--light-samples", "2", "--fresnel"});
+  EXPECT_EQ(both.status, 2);
+  EXPECT_THAT(both.err, HasSubstr("--fresnel has no effect on paths"));
 }
 
 TEST_F(PathCommand, WritesLayersAndDenoises) {
@@ -169,7 +187,7 @@ TEST_F(PathCommand, WritesLayersAndDenoises) {
   const ProgramRun depth = render("b.png", path + Words{"--aov", "normal,depth"});
   EXPECT_EQ(depth.status, 2);
   EXPECT_THAT(depth.err, HasSubstr("mode path has no layer depth"));
-  const ProgramRun ray = render("b.png", {"--aov", "bounce-3"});
+  const ProgramRun ray = render("b.png", {"--mode", "ray", "--aov", "bounce-3"});
   EXPECT_EQ(ray.status, 2);
   EXPECT_THAT(ray.err, HasSubstr("bounce-3 is a layer of path tracing"));
   EXPECT_EQ(render("b.png", path + Words{"--aov", "bounce-x"}).status, 2);
@@ -240,7 +258,9 @@ TEST_F(PathCommand, IsTheDefaultForFacesThatEmitLight) {
   const ProgramRun given = render("b.pfm", {"--samples", "16", "--mode", "path"});
   EXPECT_THAT(given.err, Not(HasSubstr("using --mode path")));
   EXPECT_EQ(folder.read("a.pfm"), folder.read("b.pfm"));
-  EXPECT_THAT(render("c.png", {"--fresnel"}).err, Not(HasSubstr("using --mode path")));
+  const ProgramRun fresnel = render("c.png", {"--fresnel"});
+  EXPECT_THAT(fresnel.err, HasSubstr("note: --fresnel is not for path tracing"));
+  EXPECT_THAT(fresnel.err, Not(HasSubstr("using --mode path")));
   EXPECT_THAT(render("c.png", {"--mode", "ray"}).err, Not(HasSubstr("using --mode path")));
 }
 

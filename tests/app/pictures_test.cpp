@@ -604,6 +604,12 @@ TEST_F(Grade, MapsAndAllReports) {
       in_folder({"grade", "mine", "--references", "right", "--map", "names.csv"});
   EXPECT_EQ(bad.status, 1);
   EXPECT_THAT(bad.err, HasSubstr("line 1: expected the name handed in, a comma"));
+  folder.write("names.csv", "Results/My Picture.png, ball\nother.png, ball\n");
+  const ProgramRun unused =
+      in_folder({"grade", "mine", "--references", "right", "--map", "names.csv"});
+  EXPECT_EQ(unused.status, 0) << unused.out << unused.err;
+  EXPECT_EQ(unused.err,
+            "note: the map assigns \"other.png\" to a reference, but no student has it\n");
   folder.write("names.csv", "results/my picture.png, bal\n");
   const ProgramRun unknown =
       in_folder({"grade", "mine", "--references", "right", "--map", "names.csv"});

@@ -168,12 +168,17 @@ TEST(ClassFiles, GradescopeNamesItsFolders) {
 
 TEST(ClassFiles, AnArchiveOfTheClass) {
   const TempFolder folder;
+  const std::string outside = "() its path leads out of the archive";
   folder.write("class.zip", write_archive("a.zip", {{"export/ada/ball.png"},
                                                     {"export/bob/ball.png"},
-                                                    {"export/bob/a.txt"}}));
+                                                    {"export/bob/a.txt"},
+                                                    {"../eve/ball.png"},
+                                                    {"C:/eve.png"}}));
   expect_rows(found_in(folder.path("class.zip")), {{"export/ada/ball.png", "ada/ball"},
                                                    {"export/bob/ball.png", "bob/ball"},
-                                                   {"export/bob/a.txt", "(bob) not a picture"}});
+                                                   {"export/bob/a.txt", "(bob) not a picture"},
+                                                   {"../eve/ball.png", outside},
+                                                   {"C:/eve.png", outside}});
   // As downloaded from Canvas, next to a student's folder.
   folder.write("all/submissions.zip",
                write_archive("a.zip", {{"lee_1_2_ball.png"}, {"roe_3_4_ball.png"}}));
@@ -188,9 +193,12 @@ TEST(ClassFiles, OneStudent) {
   folder.write("mine/ball.png");
   folder.write("mine/old/notes.png");
   EXPECT_EQ(found_in(folder.path("mine")).at("old/notes.png"), "mine/notes");
-  // As many as in a folder: still one student; more: a class.
+  EXPECT_EQ(find_class_files(folder.path("mine"), references(usual)).one_student, "");
+  // As many as in a folder: still one student, but it may be meant otherwise; more: a class.
   folder.write("mine/old/ball.png");
   EXPECT_EQ(found_in(folder.path("mine")).at("ball.png"), "mine/ball");
+  EXPECT_THAT(find_class_files(folder.path("mine"), references(usual)).one_student,
+              HasSubstr("as in its folders (1)"));
   folder.write("mine/bob/ball.png");
   EXPECT_EQ(found_in(folder.path("mine")).at("bob/ball.png"), "bob/ball");
   EXPECT_EQ(found_in(folder.path("mine")).at("ball.png"),

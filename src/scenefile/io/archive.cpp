@@ -86,28 +86,29 @@ class Utf8Names {
 
 constexpr int max_folders = 16;
 
-// The path without empty parts and "."; `problem` says what is wrong with it.
-std::string clean_path(std::string_view written, std::string& problem) {
+// Without empty parts and ".".
+void set_path(ArchiveEntry& entry, std::string_view written) {
   const bool drive = written.size() > 1 && written[1] == ':' && lower(written[0]) >= 'a' &&
                      lower(written[0]) <= 'z';
-  bool leads_out = drive || written.starts_with('/') || written.starts_with('\\');
-  std::string path;
+  entry.outside = drive || written.starts_with('/') || written.starts_with('\\');
+  std::string& path = entry.path;
   int folders = 0;
   while (!written.empty()) {
     const std::size_t slash = std::min(written.find('/'), written.size());
     const std::string_view part = written.substr(0, slash);
     written.remove_prefix(std::min(slash + 1, written.size()));
-    leads_out = leads_out || part == "..";
+    entry.outside = entry.outside || part == "..";
     if (!part.empty() && part != ".") {
       path += path.empty() ? "" : "/";
       path += part;
       folders += written.empty() ? 0 : 1;
     }
   }
-  problem = leads_out               ? "its path leads out of the archive"
-            : folders > max_folders ? fmt::format("nested more than {} folders deep", max_folders)
-                                    : "";
-  return path;
+  if (entry.outside) {
+    entry.problem = "its path leads out of the archive";
+  } else if (folders > max_folders) {
+    entry.problem = fmt::format("nested more than {} folders deep", max_folders);
+  }
 }
 
 bool is_junk_path(std::string_view path) {
@@ -192,7 +193,7 @@ class Visitor {
       file.problem = "its name cannot be read";
       return true;
     }
-    file.path = clean_path(name, file.problem);
+    set_path(file, name);
     if (is_junk_path(file.path)) {
       return false;
     }

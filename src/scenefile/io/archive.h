@@ -18,8 +18,9 @@ std::string_view without_archive_ending(std::string_view name);
 
 /// An entry of an archive, except a folder.
 struct ArchiveEntry {
-  std::string path;     ///< names separated by slashes, in UTF-8 if the archive says so
-  std::string problem;  ///< why it is not read, as a clause; empty: it is a regular file
+  std::string path;      ///< names separated by slashes, in UTF-8 if the archive says so
+  std::string problem;   ///< why it is not read, as a clause; empty: it is a regular file
+  bool outside = false;  ///< its path leads out of the archive, which is a problem
 };
 
 /// What is left of the bounds. Archives in archives share those of the outermost.

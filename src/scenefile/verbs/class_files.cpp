@@ -31,8 +31,9 @@ constexpr std::string_view hidden = "hidden: its name begins with a dot";
 
 // A file in the class.
 struct Item {
-  FoundFile file;      // its folders are those below the class
-  std::string reason;  // why it is not a picture; empty: it is one
+  FoundFile file;        // its folders are those below the class
+  std::string reason;    // why it is not a picture; empty: it is one
+  bool outside = false;  // of an archive whose folders do not contain it
 };
 
 struct Listing {
@@ -128,13 +129,14 @@ class Lister {
   }
 
  private:
-  void add(FoundFile file, std::string reason) {
+  void add(FoundFile file, std::string reason, bool outside = false) {
     if (left_ == 0) {
       return;
     }
     --left_;
     listing_.items.push_back(
-        {std::move(file), left_ > 0 ? std::move(reason) : "too many files: the rest are not read"});
+        {std::move(file), left_ > 0 ? std::move(reason) : "too many files: the rest are not read",
+         outside});
   }
 
   void add_folder(const std::string& folder, const std::vector<std::string>& folders) {
@@ -236,7 +238,7 @@ class Lister {
     } else if (why.empty() && !is_picture_name(path)) {
       why = why_unread(path);
     }
-    add(std::move(file), std::move(why));
+    add(std::move(file), std::move(why), entry.outside);
   }
 
   std::string add_inner_archive(const FoundFile& archive, const std::vector<std::string>& folders,
@@ -376,9 +378,9 @@ std::vector<Top> tops_of(const Listing& listing, const std::vector<FoundFile>& r
 
 // Only one student: there are only folders of layouts, or the pictures next to folders show at
 // least as many references as those in them. Not if most have names of a course system; a few
-// pictures look as if they had, such as ball_640_480_final.png.
+// pictures look as if they had, such as ball_640_480_final.png. `why`: set in the second case.
 bool is_one_student(const std::vector<Top>& tops, const std::vector<Item>& items,
-                    const std::vector<FoundFile>& references) {
+                    const std::vector<FoundFile>& references, std::string& why) {
   std::size_t in_folders = 0;
   bool layout = true;
   std::size_t of_system = 0;
@@ -404,7 +406,17 @@ bool is_one_student(const std::vector<Top>& tops, const std::vector<Item>& items
       });
     }
   }
-  return loose > 0 && loose >= in_folders;
+  if (loose == 0 || loose < in_folders) {
+    return false;
+  }
+  if (in_folders > 0) {
+    why = fmt::format(
+        "it is taken for one student's folder, because at least as many pictures directly in it "
+        "have the "
+        "name of a reference ({}) as in its folders ({}); if it is a class, move them elsewhere",
+        loose, in_folders);
+  }
+  return true;
 }
 
 // Blackboard's names say where the assignment ends and the user starts only together: all begin
@@ -452,7 +464,18 @@ class ClassBuilder {
     Listing listing;
     Lister(listing).add_class(folder_);
     drop_overwritten(listing.items);
-    std::set<std::string> paths{listing.gradescope_path};
+    std::set<std::string> paths;
+    // In the archive of a class, their folders do not say whose they are.
+    std::erase_if(listing.items, [&](const Item& item) {
+      const bool unknown =
+          item.outside && item.file.entries.size() == 1 && item.file.path == follow_links(folder_);
+      if (unknown) {
+        paths.insert(item.file.path);
+        result_.ignored.push_back({item.file.entries.front(), {}, item.reason});
+      }
+      return unknown;
+    });
+    paths.insert(listing.gradescope_path);
     for (const Item& item : listing.items) {
       paths_.push_back(joined(item.file.folders, file_name(item.file)));
       if (item.reason != not_a_picture) {
@@ -463,7 +486,7 @@ class ClassBuilder {
     unwrap(listing.items, references_, !is_folder(folder_));
     first_ = listing.items.data();
     std::vector<Top> tops = tops_of(listing, references_);
-    if (is_one_student(tops, listing.items, references_)) {
+    if (is_one_student(tops, listing.items, references_, result_.one_student)) {
       StudentFiles& student = result_.students.emplace_back();
       student.name = name_of_class(folder_);
       for (const Item& item : listing.items) {

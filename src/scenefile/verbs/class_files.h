@@ -23,6 +23,8 @@ struct ClassFiles {
   std::vector<StudentFiles> students;  ///< by name
   std::vector<IgnoredFile> ignored;    ///< of unknown students
   std::vector<std::string> paths;  ///< of all files and archives that were handed in, not of others
+  /// Why a folder that may be a class is taken for one student's; else empty.
+  std::string one_student;
 };
 
 /// The students in `folder`, which may also be an archive:

@@ -225,6 +225,10 @@ struct ClassGrader::State {
       seen += student.pictures.size();
       matched += match(student);
     }
+    if (!found.one_student.empty()) {
+      notes_.push_back(fmt::format("{}: {}", quoted(request_.handed_in, 400), found.one_student));
+    }
+    note_unused_map();
     thumbnail_width_ = pictures() > many_pictures ? 200 : 320;
     return matched != 0 ? Result<void>() : Error{nothing_matches(seen)};
   }
@@ -285,6 +289,7 @@ struct ClassGrader::State {
   }
 
   const std::vector<UsedFile>& inputs() const { return inputs_; }
+  const std::vector<std::string>& notes() const { return notes_; }
 
   Gradebook empty_book() const {
     Gradebook book;
@@ -304,6 +309,19 @@ struct ClassGrader::State {
   void enter(const char* phase) const {
     if (entering_) {
       entering_(phase);
+    }
+  }
+
+  void note_unused_map() {
+    for (const NamePair& pair : request_.map) {
+      if (std::none_of(students_.begin(), students_.end(), [&](const Student& student) {
+            return std::any_of(
+                student.pictures.begin(), student.pictures.end(),
+                [&](const FoundFile& file) { return is_named(file, pair.handed_in); });
+          })) {
+        notes_.push_back(fmt::format("the map assigns {} to a reference, but no student has it",
+                                     quoted(pair.handed_in, 400)));
+      }
     }
   }
 
@@ -639,6 +657,7 @@ struct ClassGrader::State {
   Hash fingerprint_;  // of the references
   std::vector<Student> students_;
   std::vector<IgnoredFile> ignored_;  // of unknown students
+  std::vector<std::string> notes_;
   std::vector<UsedFile> inputs_;
   std::string class_archive_;  // its path; empty: the class is a folder
   // The bytes of pictures in archives, of some students and of each reference.
@@ -696,6 +715,9 @@ Result<StudentResult> ClassGrader::grade(std::size_t student,
 
 const std::vector<UsedFile>& ClassGrader::inputs() const {
   return state_->inputs();
+}
+const std::vector<std::string>& ClassGrader::notes() const {
+  return state_->notes();
 }
 
 Gradebook ClassGrader::empty_book() const {

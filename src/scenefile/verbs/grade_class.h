@@ -61,6 +61,10 @@ class ClassGrader {
   /// The files of the references and of the class, used or not: no output may replace one of them.
   const std::vector<UsedFile>& inputs() const;
 
+  /// What was taken otherwise than the person who grades may expect: a sentence each, without a
+  /// period at the end.
+  const std::vector<std::string>& notes() const;
+
   /// The class without results: its name, and the files that are ignored.
   Gradebook empty_book() const;
 

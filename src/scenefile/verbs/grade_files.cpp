@@ -286,8 +286,10 @@ bool is_named(const FoundFile& file, const std::string& name) {
   for (const std::string& folder : file.folders) {
     folders += folder + "/";
   }
-  const auto ends = [&](const std::string& whole) {
-    return whole == name || whole.ends_with("/" + name);
+  const std::string wanted = lower_case(name);
+  const auto ends = [&](const std::string& path) {
+    const std::string whole = lower_case(path);
+    return whole == wanted || whole.ends_with("/" + wanted);
   };
   const std::string written = file_name(file);
   return ends(folders + file.stem) || ends(folders + file.stem + ending_of(written)) ||

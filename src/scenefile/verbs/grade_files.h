@@ -32,7 +32,7 @@ std::vector<FoundFile> files_below(const std::string& folder,
                                    bool (*wanted)(std::string_view name));
 
 /// Whether the path refers to the file: it is the whole path, or the last folders and the name,
-/// with or without the extension.
+/// with or without the extension, in upper or lower case.
 bool is_named(const FoundFile& file, const std::string& name);
 
 /// Assigns a submitted picture to a reference. Names may include folders and extensions.

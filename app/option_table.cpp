@@ -472,16 +472,17 @@ constexpr std::array option_rows{
               for_tracing | for_convert | for_pictures | for_view, set_features, "features"},
     OptionRow{"--mode", "", "NAME",
               "ray (default), intersect (the course's ray caster: no shadows, reflections or "
-              "textures), normals (colors are normals), or path (path tracing, for render and "
-              "explain; the "
-              "default if the scene has no lights, but faces of meshes that emit light).",
+              "textures), normals (colors are normals), or path (path tracing, for render, "
+              "explain and view; the default if the scene has no lights, but faces of meshes that "
+              "emit light).",
               for_tracing | for_pictures | for_view, set_mode, "mode"},
     OptionRow{
         "--samples", "", "N",
         "Maximum number of samples per pixel, for the profile fine (default 16; with --engine gl "
         "1, 4, 16 or 64, by default 4, or 16 if most objects are a few pixels wide; with --mode "
-        "path the number for every pixel, by default 64).",
-        for_tracing, set_field<&RenderOptions::samples>, "samples"},
+        "path the number for every pixel, by default 64). In view for mode path: without it, until "
+        "the noise is 1 %, at most 4096.",
+        for_tracing | for_view, set_field<&RenderOptions::samples>, "samples"},
     OptionRow{"--min-samples", "", "N",
               "Smallest number of samples per pixel, for the profile fine (default 1). If "
               "--samples is the same number, every pixel takes exactly that many.",
@@ -518,11 +519,12 @@ constexpr std::array option_rows{
     OptionRow{"--light-samples", "", "N",
               "With --mode path: points on lamps and area lights for each point of a path (default "
               "1; 0: paths find lamps only by chance).",
-              for_render | for_explain, set_field<&RenderOptions::light_samples>, "light_samples"},
+              for_render | for_explain | for_view, set_field<&RenderOptions::light_samples>,
+              "light_samples"},
     OptionRow{"--no-mis", "", "",
               "With --mode path: without multiple importance sampling. Diffuse and glossy surfaces "
               "then only use the samples of --light-samples.",
-              for_render | for_explain,
+              for_render | for_explain | for_view,
               [](Options& o, const std::string&) {
                 o.render.mis = false;
                 return std::string();
@@ -532,12 +534,12 @@ constexpr std::array option_rows{
         "--direct-only", "", "",
         "With --mode path: only light that comes straight from lamps, also as seen in mirrors "
         "and through glass.",
-        for_render | for_explain, set_flag_of<&Options::render, &RenderOptions::direct_only>,
-        "direct_only"},
+        for_render | for_explain | for_view,
+        set_flag_of<&Options::render, &RenderOptions::direct_only>, "direct_only"},
     OptionRow{"--continue", "", "P",
               "With --mode path: the probability that a path continues after each bounce, up to "
               "0.99 (default: after the third bounce, by the light that it can still add).",
-              for_render | for_explain,
+              for_render | for_explain | for_view,
               [](Options& o, const std::string& v) {
                 return read_number(v, 0.01, 0.99, o.render.continuation);
               },
@@ -546,12 +548,12 @@ constexpr std::array option_rows{
               "With --mode path: physics (default), or course: as the published pictures of the "
               "course, in which light of lamps falls off with the distance instead of its square, "
               "and materials with a bright Ks have no Kd.",
-              for_render | for_explain, set_convention, "convention"},
+              for_render | for_explain | for_view, set_convention, "convention"},
     OptionRow{
         "--clamp", "", "N",
         "With --mode path: the maximum of indirect light in a sample. Removes bright specks, "
         "and some light.",
-        for_render | for_explain,
+        for_render | for_explain | for_view,
         [](Options& o, const std::string& v) { return read_number(v, 1e-3, 1e9, o.render.clamp); },
         "clamp"},
     OptionRow{"--tone", "", "NAME",

@@ -21,8 +21,9 @@ namespace scenefile::app {
 namespace {
 
 // Runs on a thread of the window.
-viewer::OpenedScene open_for_view(const std::string& path, const Options& options) {
+viewer::OpenedScene open_for_view(const std::string& path, bool materials, Options options) {
   Context context;
+  options.load.materials = options.load.materials || materials;
   LoadedScene loaded =
       load_scene(path, options, LoadDepth::with_all_assets, options.load.allow_missing, context);
   check_picture(loaded);
@@ -112,11 +113,32 @@ Outcome claim_script_outputs(const Options& options, const viewer::Script& scrip
   return claimed.status == ExitCode::fine ? claim_outputs(outputs, context) : claimed;
 }
 
+void set_tracing(const Options& options, viewer::SessionSetup& setup) {
+  const bool paths = options.render.mode == Mode::path;
+  setup.trace = paths ? default_options(Profile::fine) : options.render;
+  setup.trace.threads = options.render.threads;
+  if (paths || !may_choose_path_mode(options) || !option_without_paths(options).empty()) {
+    setup.trace_paths = paths;
+  }
+  Options traced = options;
+  set_path_mode(traced);
+  setup.paths = traced.render;
+  // Without a number of samples, the noise says when there are enough.
+  if (was_given(options, "--samples")) {
+    setup.samples = options.render.samples;
+    setup.path_noise = 0;
+  } else {
+    setup.paths.samples = viewer::most_path_samples;
+  }
+}
+
 viewer::WindowOptions window_options(const Options& options, viewer::Script script) {
   viewer::WindowOptions window;
-  window.setup.load = [&options](const std::string& path) { return open_for_view(path, options); };
+  window.setup.load = [&options](const std::string& path, bool materials) {
+    return open_for_view(path, materials, options);
+  };
   window.setup.read = {.compat_course = options.load.compat_course, .limits = options.load.limits};
-  window.setup.trace = options.render;
+  set_tracing(options, window.setup);
   window.setup.explain_pixel = explain_for_view;
   window.setup.find_cause = cause_for_view;
   window.setup.realtime = realtime_options(options);

@@ -3,6 +3,7 @@
 #include "app/run_program.h"
 #include "scenefile/asset/image_file.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -284,6 +285,62 @@ TEST_F(View, ExplainsAClickedPixelAndItsCause) {
   const std::size_t at = said.find("worst: ");
   ASSERT_NE(at, std::string::npos) << said;
   EXPECT_THAT(copied, HasSubstr(said.substr(at, said.find('\n', at) - at)));
+}
+
+// Whether `part` is somewhere in `whole`, bit for bit.
+bool contains(const Texture& whole, const Texture& part) {
+  for (int y = 0; y + part.height <= whole.height; ++y) {
+    for (int x = 0; x + part.width <= whole.width; ++x) {
+      int row = 0;
+      while (row < part.height &&
+             std::equal(part.texel(0, row), part.texel(0, row) + 3 * part.width,
+                        whole.texel(x, y + row))) {
+        ++row;
+      }
+      if (row == part.height) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+TEST_F(View, TracesPathsAndExplainsThem) {
+  folder.write("box.mtl", "newmtl lamp\nKe 6 5 4\nnewmtl wall\nKd .7 .6 .5\n");
+  folder.write("box.obj",
+               "mtllib box.mtl\nusemtl wall\nv -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\n"
+               "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
+               "f 1 2 3 4\nf 1 5 6 2\nf 1 4 8 5\nf 2 6 7 3\nusemtl lamp\nf 4 3 7 8\n");
+  const std::string box = folder.write(
+      "box.xml",
+      R"(<scenefile><cameradata><pos x="0" y="0" z="3"/><look x="0" y="0" z="-1"/><up x="0" y="1" z="0"/>
+<heightangle v="45"/></cameradata><object type="tree" name="root"><transblock>
+<object type="primitive" name="mesh" filename="box.obj"/></transblock></object></scenefile>)");
+  const ProgramRun run =
+      view({box, "--samples", "3", "--script",
+            folder.write("tour.txt", "settle\n" + shot("traced.png") +
+                                         "click 560 300\nsettle\nkey Ctrl+C\nframes 2\ncopied " +
+                                         folder.path("copied.txt") + "\n" + shot("readout.png"))});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const std::string copied = folder.read("copied.txt");
+  int x = 0, y = 0, width = 0, height = 0;
+  ASSERT_EQ(std::sscanf(copied.c_str(), "pixel %d,%d of %dx%d", &x, &y, &width, &height), 4)
+      << copied;
+  const std::string size = fmt::format("{}x{}", width, height);
+  ASSERT_EQ(run_program({"render", box, "--samples", "3", "--size", size, "-o",
+                         folder.path("rendered.png"), "--quiet"})
+                .status,
+            0);
+  EXPECT_TRUE(contains(picture("traced.png"), picture("rendered.png")));
+  const std::string explained =
+      run_program({"explain", box, "--samples", "3", "--size", size, "--pixel",
+                   fmt::format("{},{}", x, y), "--mode", "path"})
+          .out;
+  const std::size_t first = explained.find("sample");
+  ASSERT_NE(first, std::string::npos) << explained;
+  EXPECT_THAT(copied, HasSubstr(explained.substr(first))) << "the same text";
+  EXPECT_THAT(view({path, "--profile", "realtime", "--samples", "4"}).err,
+              HasSubstr("leave --samples out"));
 }
 
 TEST_F(View, ReportsErrors) {

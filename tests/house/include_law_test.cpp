@@ -41,8 +41,8 @@ const std::map<std::string, std::set<std::string>> may_know = {
      {"base", "scene", "format", "asset", "geometry", "compare", "io", "placement", "trace", "path",
       "explain", "grade", "gradebook", "export/codes.h", "import/codes.h", "view/codes.h"}},
     {"viewer",
-     {"base", "scene", "format", "geometry", "asset", "compare", "io", "placement", "trace", "view",
-      "explain"}},
+     {"base", "scene", "format", "geometry", "asset", "compare", "io", "placement", "trace", "path",
+      "view", "explain"}},
 };
 
 // Each library except the standard library and glm is used by a single .cpp file. fmt is allowed in

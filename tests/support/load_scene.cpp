@@ -10,11 +10,12 @@
 
 namespace scenefile::testing_support {
 
-Assets load_files(const std::string& path, const RenderScene& scene, Diagnostics& diagnostics) {
+Assets load_files(const std::string& path, const RenderScene& scene, Diagnostics& diagnostics,
+                  bool materials) {
   AssetRoots roots({.scene_path = path, .asset_roots = {}});
   const FetchFile fetch = [&](const std::string& name) { return roots.read(name); };
   return load_assets(scene.texture_files, scene.mesh_files, fetch,
-                     {.materials = scene.lights.empty()}, diagnostics);
+                     {.materials = materials || scene.lights.empty()}, diagnostics);
 }
 
 LoadedScene load_scene(const std::string& path, bool compat_course) {

@@ -21,7 +21,8 @@ struct LoadedScene {
 /// Reads, checks, prepares and loads the files of a scene, as the program does.
 LoadedScene load_scene(const std::string& path, bool compat_course);
 
-/// Loads the asset files of a scene at `path`.
-Assets load_files(const std::string& path, const RenderScene& scene, Diagnostics& diagnostics);
+/// Loads the asset files of a scene at `path`; `materials`: of faces even if it has lights.
+Assets load_files(const std::string& path, const RenderScene& scene, Diagnostics& diagnostics,
+                  bool materials = false);
 
 }  // namespace scenefile::testing_support

@@ -46,7 +46,7 @@ inline const std::string scene_text = R"(<scenefile>
 )";
 
 /// Opens a scene like the program does, for scenes without assets.
-inline OpenedScene open_file(const std::string& path) {
+inline OpenedScene open_file(const std::string& path, bool /*materials*/ = false) {
   OpenedScene opened;
   opened.path = path;
   const Result<std::string> text = read_file(path, Limits{}.file_bytes);

@@ -46,7 +46,7 @@ bool add_sample(const Color& light, std::size_t at, PathState& state) {
 }
 
 RenderStatus add_samples(const PathScene& scene, std::uint32_t samples, PathState& state,
-                         const Progress& progress, RenderStats& stats) {
+                         const Progress& progress, RenderStats& stats, int stride) {
   const PixelRegion& region = state.region;
   std::atomic<std::uint64_t> primary{0}, shadow{0}, secondary{0}, dropped{0};
   const bool recorded = !state.layers.empty() || !state.guides.empty();
@@ -57,8 +57,9 @@ RenderStatus add_samples(const PathScene& scene, std::uint32_t samples, PathStat
     RayCounts counts;
     std::uint64_t bad = 0;
     PathRecord path;
-    for (int y = tile.y0; y < tile.y1 && !given_up(); ++y) {
-      for (int x = tile.x0; x < tile.x1; ++x) {
+    const auto next = [&](int at) { return (at + stride - 1) / stride * stride; };
+    for (int y = next(tile.y0); y < tile.y1 && !given_up(); y += stride) {
+      for (int x = next(tile.x0); x < tile.x1; x += stride) {
         const std::size_t at = std::size_t(y) * region.width() + x;
         while (state.counts[at] < samples) {
           const Color light = path_light(scene, region.x0 + x, region.y0 + y, state.counts[at],

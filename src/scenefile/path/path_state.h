@@ -46,9 +46,9 @@ bool add_sample(const Color& light, std::size_t at, PathState& state);
 
 /// Adds samples to every pixel that has less than `samples`. `scene` must be the same for all
 /// calls. Returns `complete`, `cancelled` if `progress` said so, or `limit_reached`. Adds the rays
-/// of this call to `stats`.
+/// of this call to `stats`. `stride`: only pixels whose place in the region is divisible by it.
 RenderStatus add_samples(const PathScene& scene, std::uint32_t samples, PathState& state,
-                         const Progress& progress, RenderStats& stats);
+                         const Progress& progress, RenderStats& stats, int stride = 1);
 
 /// The mean of the samples; linear.
 Image image_of(const PathState& state);

@@ -20,6 +20,9 @@ inline constexpr std::array<std::string_view, 2> tone_words{"course", "none"};
 /// picture, if they are all of its pixels.
 double brightest(std::span<const float> rgb, double exposure);
 
+/// What the curve `course` makes of gray with this luminance.
+double course_tone(double bright, double white);
+
 /// Multiplies by 2^exposure, then applies the curve with this white. Values above 1 can remain;
 /// encoders clamp.
 void map_tones(std::span<float> rgb, Tone tone, double exposure, double white);

@@ -106,7 +106,7 @@ void Canvas::draw(const Session& session) {
 }
 
 void Canvas::finish(Session& session) {
-  if (session.shown != nullptr && !shows_traced(session)) {
+  if (needs_drawing(session)) {
     ask(session, recipe_for(session, 0), true);
     if (std::optional<Painted> painted = painter_->take(true)) {
       accept(session, *std::move(painted));

@@ -39,6 +39,9 @@ DrawnAs drawn_as(const Session& session) {
   if (session.realtime) {
     return DrawnAs::realtime;
   }
+  if (traces_paths(session)) {
+    return DrawnAs::paths;
+  }
   switch (session.setup.trace.profile) {
     case Profile::course:
       return DrawnAs::course;
@@ -55,9 +58,14 @@ void draw_as(Session& session, DrawnAs drawn) {
     session.setup.trace =
         default_options(drawn == DrawnAs::course ? Profile::course : Profile::fine);
     session.setup.trace.threads = threads;
+    session.setup.trace_paths = drawn == DrawnAs::paths;
     ++session.version;  // uploading depends on the profile
   }
   drawing_changed(session);
+  const bool lights = session.shown != nullptr && !session.shown->opened.ready.scene.lights.empty();
+  if (drawn == DrawnAs::paths && lights && session.path != "-") {
+    open_scene(session, session.path);  // reads the materials of its mesh faces
+  }
 }
 
 bool has_feature(const Session& session, std::string_view word) {

@@ -9,8 +9,9 @@
 
 namespace scenefile::viewer {
 
-/// The profiles; the assignment Realtime is one of them, as on the command line.
-enum class DrawnAs : std::uint8_t { fine, course, realtime };
+/// The profiles; the assignment Realtime is one of them, as on the command line. `paths`: mode
+/// path, for which the profile is fine.
+enum class DrawnAs : std::uint8_t { fine, course, realtime, paths };
 
 DrawnAs drawn_as(const Session& session);
 /// Also sets the features and the depth of the profile.

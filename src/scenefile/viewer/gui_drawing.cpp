@@ -20,6 +20,7 @@ struct DrawnAsRow {
 constexpr std::array drawn_as_rows{
     DrawnAsRow{DrawnAs::fine, "Profile fine: with good sampling"},
     DrawnAsRow{DrawnAs::course, "Profile course: as the course's program"},
+    DrawnAsRow{DrawnAs::paths, "Mode path: path tracing"},
     DrawnAsRow{DrawnAs::realtime, "Profile realtime: the assignment Realtime"},
 };
 
@@ -32,7 +33,7 @@ void build_profiles(Session& session) {
 }
 
 void build_features(Session& session) {
-  const bool traced = !session.realtime;
+  const bool traced = !session.realtime && !traces_paths(session);
   ImGui::TextDisabled("%s", traced ? "Features" : "Features (of ray tracing)");
   for (const std::string_view word : feature_sets()) {
     if (ImGui::MenuItem(std::string(word).c_str(), nullptr, is_feature_set(session, word),

@@ -100,7 +100,25 @@ void build_title(const Session& session) {
   dim_text(text);
 }
 
+// Such as "path tracing: 24 samples, noise 3.1 %".
+std::string paths_text(const Session& session) {
+  if (!session.traced || session.traced->samples == 0) {
+    return "path tracing";
+  }
+  const TracedPicture& picture = *session.traced;
+  std::string text = fmt::format(
+      "{} {} sample{}", picture.complete ? "path traced:" : "path tracing:", picture.samples,
+      picture.samples == 1 ? "" : "s");
+  if (picture.noise > 0) {
+    text += fmt::format(", noise {:.1f} %", 100 * picture.noise);
+  }
+  return picture.complete ? text + fmt::format(", {:.1f} s", picture.seconds) : text;
+}
+
 std::string tracing_text(const Session& session) {
+  if (traces_paths(session)) {
+    return paths_text(session);
+  }
   if (session.realtime || !session.settings.ray_tracing || session.mode != DrawMode::shaded) {
     return "OpenGL";
   }

@@ -1,5 +1,9 @@
 #include "scenefile/viewer/live_trace.h"
 
+#include "scenefile/path/progressive.h"
+#include "scenefile/path/tone.h"
+#include "scenefile/trace/trace_scene.h"
+
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -31,17 +35,22 @@ std::string failure_of(RenderStatus status) {
   return {};
 }
 
+// What mode path keeps between pictures.
+struct KeptStructure {
+  std::shared_ptr<const void> keep;
+  Hidden hidden;
+  std::optional<TraceScene> traced;
+  double rate = 0;  // PathPasses::rate
+};
+
 }  // namespace
 
-/// One picture to trace.
-struct LiveTrace::Job {
-  RenderScene scene;
-  std::shared_ptr<const void> keep;
-  const Assets* assets = nullptr;
-  RenderOptions options;
-  std::function<void()> wake;
+struct LiveTrace::Job : TraceRequest {
+  explicit Job(TraceRequest request) : TraceRequest(std::move(request)) {}
 
+  std::atomic<bool> begun{false};
   std::atomic<bool> cancelled{false};
+  std::atomic<bool> discarded{false};  // then no picture is wanted
   std::atomic<bool> over{false};
 
   void put(TracedPicture picture) {
@@ -56,15 +65,17 @@ struct LiveTrace::Job {
     return std::exchange(newest_, std::nullopt);
   }
 
-  void run();
+  void run(KeptStructure& kept);
 
  private:
+  TracedPicture trace_rays(Clock::time_point start);
+  TracedPicture trace_paths(Clock::time_point start, KeptStructure& kept);
+
   std::mutex mutex_;
   std::optional<TracedPicture> newest_;
 };
 
-void LiveTrace::Job::run() {
-  const Clock::time_point start = Clock::now();
+TracedPicture LiveTrace::Job::trace_rays(Clock::time_point start) {
   const Rounding rounding = rounding_of(options.profile);
   double done = 0;
   RenderControl control;
@@ -78,12 +89,54 @@ void LiveTrace::Job::run() {
       put({quantize(image, rounding), done, false, seconds_since(start), {}});
     }
   };
+  const RenderResult result = render(scene, *assets, options, std::move(control));
+  return {quantize(result.image, rounding), 1, true, seconds_since(start),
+          failure_of(result.status)};
+}
+
+TracedPicture LiveTrace::Job::trace_paths(Clock::time_point start, KeptStructure& kept) {
+  if (!kept.traced || kept.keep != keep || kept.hidden != hidden) {
+    kept = {};
+    kept.traced.emplace(scene, *assets, TraceSceneOptions{.threads = options.threads});
+    kept.keep = keep;
+    kept.hidden = hidden;
+  }
+  TracedPicture last;
+  PathPasses passes{noise, kept.rate};
+  passes.go_on = [&](bool first) { return !discarded && (first || !cancelled); };
+  passes.show = [&](PathPass pass) {
+    TracedPicture picture;
+    picture.picture =
+        quantize(tone_mapped(std::move(pass.image), Tone::course, 0), Rounding::nearest);
+    picture.seconds = seconds_since(start);
+    picture.samples = static_cast<int>(pass.samples);
+    picture.noise = pass.noise;
+    if (pass.complete) {
+      last = std::move(picture);
+    } else if (!discarded) {
+      put(std::move(picture));
+    }
+  };
+  const RenderStatus status = render_progressively(*kept.traced, scene, options, passes);
+  last.failed = failure_of(status);
+  kept.rate = passes.rate;
+  last.complete = true;
+  return last;
+}
+
+void LiveTrace::Job::run(KeptStructure& kept) {
+  begun = true;
+  const Clock::time_point start = Clock::now();
   TracedPicture last;
   try {
-    const RenderResult result = render(scene, *assets, options, std::move(control));
-    last = {quantize(result.image, rounding), 1, true, seconds_since(start),
-            failure_of(result.status)};
+    if (options.mode == Mode::path) {
+      last = trace_paths(start, kept);
+    } else {
+      kept = {};
+      last = trace_rays(start);
+    }
   } catch (const std::bad_alloc&) {
+    kept = {};
     last = {{}, 1, true, seconds_since(start), "out of memory while tracing"};
   }
   over = true;
@@ -131,7 +184,7 @@ class LiveTrace::Worker {
         job = std::exchange(next_, nullptr);
       }
       if (!job->cancelled) {
-        job->run();
+        job->run(kept_);
       }
     }
   }
@@ -140,6 +193,7 @@ class LiveTrace::Worker {
   std::condition_variable ready_;
   std::shared_ptr<Job> next_;
   bool ended_ = false;
+  KeptStructure kept_;  // of the thread
   std::thread thread_;
 };
 
@@ -149,22 +203,24 @@ LiveTrace::~LiveTrace() {
   stop();
 }
 
-void LiveTrace::start(RenderScene scene, std::shared_ptr<const void> keep, const Assets& assets,
-                      const RenderOptions& options, std::function<void()> wake) {
-  stop();
-  job_ = std::make_shared<Job>();
-  job_->scene = std::move(scene);
-  job_->keep = std::move(keep);
-  job_->assets = &assets;
-  job_->options = options;
-  job_->wake = std::move(wake);
+void LiveTrace::start(TraceRequest request) {
+  if (job_ != nullptr) {
+    job_->cancelled = true;
+    if (job_->begun) {
+      before_ = std::move(job_);
+    }
+  }
+  job_ = std::make_shared<Job>(std::move(request));
   worker_->give(job_);
 }
 
 void LiveTrace::stop() {
-  if (job_ != nullptr) {
-    job_->cancelled = true;
-    job_ = nullptr;
+  for (std::shared_ptr<Job>* const job : {&job_, &before_}) {
+    if (*job != nullptr) {
+      (*job)->cancelled = true;
+      (*job)->discarded = true;
+      job->reset();
+    }
   }
 }
 
@@ -173,7 +229,13 @@ bool LiveTrace::busy() const {
 }
 
 std::optional<TracedPicture> LiveTrace::take() {
-  return job_ != nullptr ? job_->take() : std::nullopt;
+  std::optional<TracedPicture> picture = job_ != nullptr ? job_->take() : std::nullopt;
+  if (picture) {
+    before_.reset();
+  } else if (before_ != nullptr) {
+    picture = before_->take();
+  }
+  return picture;
 }
 
 }  // namespace scenefile::viewer

@@ -22,12 +22,17 @@ struct OpenedScene {
   Diagnostics diagnostics;
   std::vector<std::string> files;  ///< paths of textures and meshes, even of unusable ones
 
+  /// Whether path tracing alone shows it.
+  bool lit_by_faces_only() const {
+    return ready.scene.lights.empty() && has_emissive_faces(assets);
+  }
   /// Whether it can be drawn.
   bool usable() const { return unreadable.empty() && !diagnostics.has_errors(); }
 };
 
 /// Reads, checks, prepares and loads a scene; called on any thread, also concurrently. The caller
-/// sets the limits and what may be opened.
-using LoadScene = std::function<OpenedScene(const std::string& path)>;
+/// sets the limits and what may be opened. `materials`: read those of mesh faces even if the scene
+/// has lights.
+using LoadScene = std::function<OpenedScene(const std::string& path, bool materials)>;
 
 }  // namespace scenefile::viewer

@@ -18,16 +18,22 @@ constexpr double rest = 0.25;  // the camera must rest this long before ray trac
 constexpr double notice_seconds = 4;
 
 bool wants_trace(const Session& session) {
-  return session.settings.ray_tracing && session.shown != nullptr && !session.realtime &&
-         session.mode == DrawMode::shaded;
+  return traces_paths(session) || (session.settings.ray_tracing && session.shown != nullptr &&
+                                   !session.realtime && session.mode == DrawMode::shaded);
 }
 
 void start_trace(Session& session) {
-  RenderScene scene =
+  TraceRequest request;
+  request.scene =
       without_hidden(session.shown->opened.ready.scene, session.hidden, session.only_light);
-  scene.camera = render_camera(session.camera);
-  session.trace.start(std::move(scene), session.shown, session.shown->opened.assets,
-                      trace_options(session), session.setup.wake);
+  request.scene.camera = render_camera(session.camera);
+  request.keep = session.shown;
+  request.assets = &session.shown->opened.assets;
+  request.hidden = session.hidden;
+  request.options = trace_options(session);
+  request.noise = session.setup.path_noise;
+  request.wake = session.setup.wake;
+  session.trace.start(std::move(request));
   session.trace_started = true;
 }
 
@@ -35,7 +41,8 @@ bool tick_trace(Session& session) {
   if (!wants_trace(session)) {
     return false;
   }
-  if (!session.trace_started && at_rest(session)) {
+  const bool sized = session.pixels != glm::ivec2(1) || !session.reference->empty();
+  if (!session.trace_started && (traces_paths(session) ? sized : at_rest(session))) {
     start_trace(session);
   }
   std::optional<TracedPicture> picture = session.trace.take();
@@ -122,14 +129,23 @@ bool at_rest(const Session& session) {
          session.now - session.moved_at >= rest;
 }
 
+bool traces_paths(const Session& session) {
+  return session.shown != nullptr && !session.realtime && session.mode == DrawMode::shaded &&
+         session.setup.trace_paths.value_or(session.shown->opened.lit_by_faces_only());
+}
+
 RenderOptions trace_options(const Session& session) {
-  RenderOptions options = session.setup.trace;
+  const bool paths = traces_paths(session);
+  RenderOptions options = paths ? session.setup.paths : session.setup.trace;
   const glm::ivec2 size = session.reference->empty()
                               ? session.pixels
                               : glm::ivec2(session.reference->width, session.reference->height);
   options.width = std::max(1, size.x);
   options.height = std::max(1, size.y);
-  options.samples = session.settings.samples;
+  if (paths) {
+    return options;
+  }
+  options.samples = session.setup.samples.value_or(session.settings.samples);
   options.features.shadows = options.features.shadows && session.settings.shadows;
   options.features.texture = options.features.texture && session.settings.textures;
   return options;
@@ -164,6 +180,9 @@ double next_tick(const Session& session) {
   if (!session.held.empty()) {
     return 0;
   }
+  if (traces_paths(session) && !session.trace_started) {
+    return 0;
+  }
   const bool waits = (wants_trace(session) && !session.trace_started) ||
                      (session.readout.at && !session.readout.asked);
   if (waits) {
@@ -182,13 +201,26 @@ double next_tick(const Session& session) {
 
 void picture_changed(Session& session) {
   session.moved_at = session.now;
-  session.trace.stop();
   session.trace_started = false;
-  session.traced.reset();
+  if (traces_paths(session) && session.traced) {
+    session.traced->complete = false;  // it stays until there is a new one
+  } else {
+    session.trace.stop();
+    session.traced.reset();
+  }
   session.compare_started = false;
   session.compared.reset();
   session.readout.asked = false;
   session.readout.terms.clear();
+}
+
+void set_pixels(Session& session, const glm::ivec2& pixels) {
+  const glm::ivec2 before = session.pixels;
+  session.pixels = glm::max(pixels, glm::ivec2(1));
+  // With a reference, traced pictures have its size.
+  if (session.pixels != before && session.reference->empty()) {
+    picture_changed(session);
+  }
 }
 
 void set_camera(Session& session, const ViewCamera& camera) {
@@ -312,6 +344,10 @@ bool shows_traced(const Session& session) {
   return wants_trace(session) && session.traced && !session.traced->picture.empty();
 }
 
+bool needs_drawing(const Session& session) {
+  return session.shown != nullptr && !traces_paths(session) && !shows_traced(session);
+}
+
 DrawOptions draw_options(const Session& session) {
   DrawOptions options = draw_options(trace_options(session));
   if (session.mode != DrawMode::shaded) {
@@ -356,6 +392,8 @@ std::string mode_text(const Session& session) {
     text = session.realtime_panel.milestone == Milestone::action
                ? "Realtime, Action: " + text
                : "Realtime, Lights, Camera: " + text;
+  } else if (traces_paths(session)) {
+    text += ", mode path";
   } else {
     const RenderOptions& trace = session.setup.trace;
     text += fmt::format(", profile {}", profile_word(trace.profile));

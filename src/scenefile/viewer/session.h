@@ -39,8 +39,13 @@ inline constexpr double watch_interval = 0.25;  ///< seconds between checks of t
 /// Set by the program before the window opens.
 struct SessionSetup {
   LoadScene load;
-  ReadOptions read;     ///< how `load` reads, for saving the view
-  RenderOptions trace;  ///< for the ray tracer; the window sets size and samples
+  ReadOptions read;       ///< how `load` reads, for saving the view
+  RenderOptions trace;    ///< for the ray tracer; the window sets size and samples
+  RenderOptions paths{};  ///< for path tracing; the window sets the size
+  /// Whether to trace paths; if not set, only of scenes that are lit by faces alone.
+  std::optional<bool> trace_paths{};
+  std::optional<int> samples{};               ///< of the ray tracer; if not set, as in the settings
+  double path_noise = viewer::path_noise;     ///< TraceRequest::noise
   std::optional<RealtimeOptions> realtime{};  ///< start with the assignment's picture
   std::function<void()> wake{};               ///< called from other threads when tick() has work
   ExplainPixel explain_pixel{};               ///< empty: pixels are not explained
@@ -127,7 +132,7 @@ struct Session {
   ViewCamera camera;
   double moved_at = 0;   ///< when the picture last changed
   Box picture;           ///< position of the picture; set by the window
-  glm::ivec2 pixels{1};  ///< its size in framebuffer pixels; set by the window
+  glm::ivec2 pixels{1};  ///< its size in framebuffer pixels; set_pixels()
   Pointer pointer;
   std::set<std::string> held;  ///< flying keys that are down
   bool fast = false;           ///< Shift is down
@@ -223,6 +228,8 @@ void pointer_released(Session& session);
 void wheel_turned(Session& session, double steps);
 
 void set_camera(Session& session, const ViewCamera& camera);
+/// Sets the size of the picture in framebuffer pixels.
+void set_pixels(Session& session, const glm::ivec2& pixels);
 /// Call after any change of the picture: discards traced and compared pictures.
 void picture_changed(Session& session);
 /// `copy`: after a click, the sources of the instances around the object, outermost first.
@@ -266,11 +273,15 @@ struct CameraView {
   double aspect = 1;
 };
 CameraView camera_view(const Session& session);
-/// Whether the ray tracer's picture is visible.
+/// Whether the picture is path traced: always, not only when the camera rests.
+bool traces_paths(const Session& session);
+/// Whether the ray tracer's or path tracer's picture is visible.
 bool shows_traced(const Session& session);
+/// Whether OpenGL must draw the picture. Mode path has its first picture as soon.
+bool needs_drawing(const Session& session);
 /// Whether nothing moves, so that longer work may start.
 bool at_rest(const Session& session);
-/// The options for the ray tracer, with the picture's size.
+/// The options for the ray tracer or path tracer, with the picture's size.
 RenderOptions trace_options(const Session& session);
 /// The options for drawing with OpenGL.
 DrawOptions draw_options(const Session& session);

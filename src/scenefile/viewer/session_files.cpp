@@ -21,9 +21,10 @@ namespace {
 constexpr std::uint32_t rows_open_at_first = 40;
 
 // Runs on another thread.
-std::shared_ptr<SceneOnShow> load(const LoadScene& load_scene, const std::string& path) {
+std::shared_ptr<SceneOnShow> load(const LoadScene& load_scene, const std::string& path,
+                                  bool materials) {
   auto scene = std::make_shared<SceneOnShow>();
-  scene->opened = load_scene(path);
+  scene->opened = load_scene(path, materials);
   const OpenedScene& opened = scene->opened;
   scene->camera = opened.written.camera.value_or(Camera{});
   if (opened.usable()) {
@@ -40,12 +41,13 @@ void start_loading(Session& session) {
     return;
   }
   session.load_again = false;
-  session.loading.start(
-      [load_scene = session.setup.load, path = session.path, wake = session.setup.wake] {
-        std::shared_ptr<SceneOnShow> scene = load(load_scene, path);
-        wake();
-        return scene;
-      });
+  session.loading.start([load_scene = session.setup.load, path = session.path,
+                         materials = session.setup.trace_paths.value_or(false),
+                         wake = session.setup.wake] {
+    std::shared_ptr<SceneOnShow> scene = load(load_scene, path, materials);
+    wake();
+    return scene;
+  });
 }
 
 void watch_files(Session& session, const SceneOnShow& scene) {
@@ -185,6 +187,9 @@ void show(Session& session, std::shared_ptr<const SceneOnShow> scene) {
   session.broken = nullptr;
   session.comparison.reset();
   if (!same_file) {
+    session.drawing_notes.clear();
+    session.trace.stop();
+    session.traced.reset();
     read_pixel(session, std::nullopt);
   }
   forget_cause(session);

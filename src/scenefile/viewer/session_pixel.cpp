@@ -28,6 +28,9 @@ void ask_for_terms(Session& session) {
       {},
       readout.pixel,
       readout.other};
+  if (traces_paths(session)) {
+    question.options.samples = session.traced->samples;
+  }
   question.drawn.camera = render_camera(session.camera);
   if (session.realtime) {
     question.realtime = session.realtime_panel;
@@ -51,7 +54,7 @@ bool wants_cause(const Session& session) {
       !session.realtime ||
       (session.compared != nullptr && draws_whole_scene(session) && session.camera == session.home);
   return session.readout.at && !session.reference->empty() && session.setup.find_cause &&
-         !session.cause.asked && !session.cause.finding.busy() && drawn;
+         !traces_paths(session) && !session.cause.asked && !session.cause.finding.busy() && drawn;
 }
 
 void ask_for_cause(Session& session) {
@@ -92,7 +95,9 @@ bool tick_pixel(Session& session) {
   if (session.shown == nullptr || !readout.at) {
     return news;
   }
-  if (!readout.asked && !readout.explaining.busy() && at_rest(session)) {
+  // In mode path, the answer is about the samples that the picture has.
+  const bool drawn = !traces_paths(session) || (session.traced && session.traced->samples > 0);
+  if (!readout.asked && !readout.explaining.busy() && at_rest(session) && drawn) {
     locate_pixel(session);
     ask_for_terms(session);
     news = true;
@@ -137,6 +142,9 @@ void forget_cause(Session& session) {
 std::string cause_text(const Session& session) {
   if (!session.cause.text.empty()) {
     return session.cause.text;
+  }
+  if (traces_paths(session)) {
+    return "the cause is not determined in mode path\n";
   }
   if (session.realtime && session.camera != session.home) {
     return "the cause is only determined at the scene's own camera: press Home\n";

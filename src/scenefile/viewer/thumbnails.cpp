@@ -1,5 +1,7 @@
 #include "scenefile/viewer/thumbnails.h"
 
+#include "scenefile/path/render_path.h"
+#include "scenefile/path/tone.h"
 #include "scenefile/trace/render.h"
 
 #include <algorithm>
@@ -44,6 +46,17 @@ Texture trace(const OpenedScene& scene, const std::function<bool()>& go_on) {
   RenderControl control;
   control.progress = progress;
   control.preview = preview;
+  if (scene.lit_by_faces_only()) {
+    RenderOptions options = thumbnail_options();
+    options.samples = 32;
+    options.max_depth = path_max_depth;
+    options.denoise = true;
+    const PathResult paths = render_path(scene.ready.scene, scene.assets, options,
+                                         {.progress = progress, .seconds = thumbnail_seconds / 2});
+    return paths.samples == 0
+               ? Texture()
+               : quantize(tone_mapped(paths.image, Tone::course, 0), Rounding::nearest);
+  }
   const RenderResult result =
       render(scene.ready.scene, scene.assets, thumbnail_options(), std::move(control));
   switch (result.status) {
@@ -73,7 +86,7 @@ Thumbnail make_thumbnail(const LoadScene& load, const std::string& path,
     return result;
   }
   try {
-    const OpenedScene scene = load(path);
+    const OpenedScene scene = load(path, false);
     if (!scene.usable()) {
       result.wrong = scene.unreadable.empty() ? "the file has errors" : scene.unreadable;
       return result;

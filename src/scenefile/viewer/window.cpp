@@ -530,10 +530,10 @@ void Window::draw_frame(bool best) {
   build_gui(session_, gui_frame(), glm::max(size, glm::ivec2(1)));
   ImGui::Render();
   const double scale = static_cast<double>(framebuffer_.x) / std::max(size.x, 1);
-  session_.pixels = glm::max(glm::ivec2(glm::round(session_.picture.size * scale)), glm::ivec2(1));
+  set_pixels(session_, glm::ivec2(glm::round(session_.picture.size * scale)));
   if (best) {
     canvas_->finish(session_);
-  } else if (session_.shown != nullptr && !shows_traced(session_)) {
+  } else if (needs_drawing(session_)) {
     canvas_->draw(session_);
   }
   clear_window(framebuffer_.x, framebuffer_.y, 0.09F, 0.094F, 0.106F);

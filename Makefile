@@ -109,6 +109,14 @@ mistakes: ## count the right and wrong causes that diff names for pictures with 
 	@python3 tests/student/mistakes.py --build $(BUILD) --clean 120
 	@python3 tests/student/mistakes.py --build $(BUILD) --strange
 
+.PHONY: mistakes-ledger
+mistakes-ledger: ## write down how diff finds the causes of a sample of these pictures, in out/ledger.tsv; ledger.py compares two
+	@scripts/install-deps core tests
+	@$(MAKE) $(QUIET) configure-tests
+	$(call compile,scenefile scenefile_student scenefile_ask_causes)
+	@mkdir -p out/mistakes
+	@python3 tests/student/ledger.py write out/ledger.tsv --build $(BUILD) --folder out/mistakes
+
 .PHONY: realtime-mistakes
 realtime-mistakes: ## the same for pictures of the assignment Realtime
 	@scripts/install-deps core tests

@@ -2,17 +2,16 @@
 
 #include "app/run_program.h"
 #include "scenefile/asset/image_file.h"
+#include "support/jpeg_bytes.h"
 #include "support/write_archive.h"
 
 #include <fmt/format.h>
 #include <glm/glm.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <jpeglib.h>
 
 #include <algorithm>
 #include <csignal>
-#include <cstdio>
 #include <filesystem>
 #include <limits>
 #include <set>
@@ -98,36 +97,11 @@ TEST_F(DiffImages, TheCauseIsNamedWithAScene) {
   EXPECT_EQ(run.err, "");
 }
 
-void write_jpeg(const Texture& picture, const std::string& path, int quality) {
-  std::FILE* file = std::fopen(path.c_str(), "wb");
-  ASSERT_NE(file, nullptr);
-  jpeg_compress_struct jpeg;
-  jpeg_error_mgr errors;
-  jpeg.err = jpeg_std_error(&errors);
-  jpeg_create_compress(&jpeg);
-  jpeg_stdio_dest(&jpeg, file);
-  jpeg.image_width = static_cast<JDIMENSION>(picture.width);
-  jpeg.image_height = static_cast<JDIMENSION>(picture.height);
-  jpeg.input_components = 3;
-  jpeg.in_color_space = JCS_RGB;
-  jpeg_set_defaults(&jpeg);
-  jpeg_set_quality(&jpeg, quality, TRUE);
-  jpeg_start_compress(&jpeg, TRUE);
-  std::vector<std::uint8_t> rgb = picture.rgb;
-  while (jpeg.next_scanline < jpeg.image_height) {
-    JSAMPROW row = rgb.data() + std::size_t{3} * jpeg.next_scanline * jpeg.image_width;
-    jpeg_write_scanlines(&jpeg, &row, 1);
-  }
-  jpeg_finish_compress(&jpeg);
-  jpeg_destroy_compress(&jpeg);
-  std::fclose(file);
-}
-
 TEST_F(DiffImages, JpegsOfRightPicturesAreSaidToBeSo) {
   const auto said_of_jpeg = [&](const std::string& from) {
     draw(from, "full.png", "320x240");
     const auto picture = decode_image(folder.read("full.png"));
-    write_jpeg(*picture, folder.path("mine.jpg"), 75);
+    folder.write("mine.jpg", testing_support::jpeg_of(*picture, 75));
     draw("ball.xml", "full.png", "320x240");
     return in_folder({"diff", "full.png", "mine.jpg", "--scene", "ball.xml"}).out;
   };

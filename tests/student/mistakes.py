@@ -30,7 +30,7 @@ def run(words, seconds=None):
 class Bench:
     def __init__(self, options):
         self.options = options
-        self.student = os.path.join(options.build, "tests/student/scenefile_student")
+        self.student = getattr(options, "tracer", None) or os.path.join(options.build, "tests/student/scenefile_student")
         self.program = options.program or os.path.join(options.build, "scenefile")
         self.folder = options.folder or tempfile.mkdtemp()
         os.makedirs(self.folder, exist_ok=True)
@@ -132,6 +132,10 @@ class Bench:
             said = json.loads(answer.stdout)
         except ValueError:
             return ("error", [], seconds, answer.stderr)
+        return self.judged(scene, mistakes, out, said, seconds)
+
+    def judged(self, scene, mistakes, out, said, seconds):
+        """Verdict, claims, seconds and partial claims of an answer of `diff --json`."""
         found = [c["cause"] for c in said["causes"] if c["cause"] != "rounding"]
         rivals = [c["cause"] for c in said.get("rivals", [])]
         words = [c["what"] for c in said["causes"]]
@@ -249,4 +253,5 @@ def main():
         print("slowest %.1f s" % max(a[4] for a in answers))
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -459,6 +459,7 @@ std::vector<Tried> with_fitted_functions(Simulation& sim, std::vector<Tried> alo
     const double limit = found && found->mistakes.size() > 1 ? 1.1 : 0.6;
     const bool better = !found || fitting.front().score.raw < limit * found->score.raw;
     found = better ? fitting.front() : *found;
+    sim.route = better ? "function" : sim.route;
     return better ? fitting : alone;
   }
   if (found) {
@@ -478,8 +479,10 @@ std::vector<Tried> with_fitted_functions(Simulation& sim, std::vector<Tried> alo
     }
   }
   found = function_beside(sim, beside);
+  sim.route = "function-beside";
   if (!found) {
     found = function_beside_any(sim, likely_beside_functions(sim, ranked));
+    sim.route = "function-beside-any";
   }
   if (!found && best) {
     likely.push_back(best->mistakes);
@@ -527,13 +530,16 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
     const double least = single && !doubtful ? first->exact : 0;
     report.claims = with_camera(sim, find_acne(sim, {}, least)).claims;
   }
-  if (single && report.claims.empty()) {
-    found = completed(sim, *first);
-  }
   if (!report.claims.empty()) {
+    sim.route = report.claims.size() == 1 ? "acne" : "acne+camera";
     return;
   }
+  if (single) {
+    found = completed(sim, *first);
+    sim.route = found->mistakes == first->mistakes ? "single" : "single+completed";
+  }
   std::vector<Tried> several;
+  const std::string route_of_single = sim.route;
   if (look_for == LookFor::several_at_once && !(found && sure(*found)) &&
       report.share_different >= min_share_for_several) {
     std::optional<Tried> more = sim.usable
@@ -547,6 +553,9 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
     }
     if (more && (!found || clearly_better(*more, *found))) {
       found = simplified(sim, *more);
+      sim.route += found->mistakes == more->mistakes ? "" : "+simplified";
+    } else {
+      sim.route = route_of_single;
     }
   }
   if (look_for == LookFor::several_at_once && !sim.stopped) {
@@ -556,11 +565,16 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
       alone = with_fitted_functions(sim, std::move(alone), ranked, likely, found);
     } else if (found->mistakes.size() == 1 && !reproduces_all(*found)) {
       const std::optional<Tried> both = function_beside(sim, {found->mistakes});
-      found = both && clearly_better(*both, *found) ? both : found;
+      if (both && clearly_better(*both, *found)) {
+        found = both;
+        sim.route = "function-completes";
+      }
     }
   }
   if (found && found->mistakes.size() == 1) {
-    found = likeliest(sim, *found, alone);
+    const Tried likelier = likeliest(sim, *found, alone);
+    sim.route += likelier.mistakes == found->mistakes ? "" : "+likeliest";
+    found = likelier;
   }
   if (found && shows_much(sim, *found) &&
       (sure(*found) || causes_as_good(sim, *found, alone) < 3)) {
@@ -568,7 +582,10 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
     if (look_for == LookFor::several_at_once) {
       all = with_smaller_mistakes(sim, pixels, std::move(all));
     }
-    all = with_edges(sim, all);
+    sim.route += all.mistakes == found->mistakes ? "" : "+smaller";
+    const Tried inside = all;
+    all = with_edges(sim, inside);
+    sim.route += all.mistakes == inside.mistakes ? "" : "+edges";
     claim(sim, all, alone, several, report);
     if (!claims_one_twice(report)) {
       separate_notes(sim, all.mistakes, report);
@@ -604,6 +621,7 @@ bool claim_edited_scene(Simulation& sim, const std::vector<Combination>& likely,
   }
   const std::optional<Tried> found = find_edited_scene(sim, likely);
   if (found && shows_much(sim, *found)) {
+    sim.route = found->mistakes.size() == 1 ? "edited" : "edited-beside";
     claim(sim, *found, {}, {}, report);
     report.partial.clear();
     return true;
@@ -615,6 +633,7 @@ bool claim_edited_scene(Simulation& sim, const std::vector<Combination>& likely,
 CauseReport with_shift_at_edges(Simulation& sim, const Pixels& pixels, CauseReport report) {
   const PointsRestored restored(sim);
   if (const std::optional<Tried> shift = find_shift(sim, pixels)) {
+    sim.route = "shift";
     claim(sim, *shift, {}, {}, report);
   }
   return report;
@@ -660,6 +679,7 @@ CauseReport look_for_causes(Simulation& sim, LookFor asked) {
                                    [](std::uint8_t value) { return value <= 2; });
     if (!sim.usable || black || !only_color(sim.test)) {
       report.claims.push_back(*std::move(undrawn));
+      sim.route = "undrawn";
       return report;
     }
     look_for = LookFor::single_mistakes;
@@ -669,6 +689,7 @@ CauseReport look_for_causes(Simulation& sim, LookFor asked) {
     copy = find_placed_copy(sim.reference, sim.test, pixels.different);
     if (copy && !sim.usable) {
       report.claims.push_back(std::move(copy->claim));
+      sim.route = "copy";
       return report;
     }
     // A mistake in the camera may look like a shift.
@@ -686,6 +707,7 @@ CauseReport look_for_causes(Simulation& sim, LookFor asked) {
   if (!undrawn && !copy) {
     if (std::optional<Claim> note = drop_other_samples(sim, pixels.different)) {
       report.notes.push_back(*std::move(note));
+      sim.route = "other-samples";
       return report;
     }
   }
@@ -720,6 +742,7 @@ CauseReport look_for_causes(Simulation& sim, LookFor asked) {
     if (report.claims.empty()) {
       report.claims.push_back(*std::move(undrawn));
       report.partial.clear();
+      sim.route = "undrawn";
     }
     return report;
   }
@@ -732,14 +755,17 @@ CauseReport look_for_causes(Simulation& sim, LookFor asked) {
       if (!edited || exact_share(sim, *copy) >= nearly_all ||
           !claim_edited_scene(sim, {}, report)) {
         report.claims = {std::move(copy->claim)};
+        sim.route = "copy";
       }
     }
     return report;
   }
   if (report.claims.empty() && report.notes.empty() && !sim.stopped) {
     std::optional<Claim> found = claim_of_blur(sim, pixels);
+    sim.route = "blur";
     if (!found && sim.usable) {
       found = claim_of_missed_samples(sim);
+      sim.route = "missed-samples";
     }
     if (found) {
       report.claims.push_back(*std::move(found));
@@ -761,6 +787,8 @@ std::optional<CauseReport> causes_beside_order(const Texture& reference, const T
   }
   Simulation sim{reference, reordered->picture, &view, go_on};
   CauseReport rest = look_for_causes(sim, LookFor::several_at_once);
+  rest.route = "order+" + sim.route;
+  rest.rays = sim.rays;
   const bool again = std::any_of(rest.claims.begin(), rest.claims.end(),
                                  [&](const Claim& c) { return c.cause == reordered->claim.cause; });
   if (rest.claims.empty() || again) {
@@ -926,6 +954,10 @@ CauseReport find_causes(const Texture& reference, const Texture& test, const Sce
       beside
           ? *std::move(beside)
           : look_for_causes(sim, likelier && likelier->sure ? LookFor::single_mistakes : look_for);
+  if (!beside) {
+    report.route = sim.route;
+    report.rays = sim.rays;
+  }
   constexpr std::uint64_t max_rays_before = 16'000'000;  // for a second search
   if (likelier && report.claims.empty() && report.notes.empty() && sim.usable && !sim.stopped &&
       sim.rays <= max_rays_before) {
@@ -936,10 +968,15 @@ CauseReport find_causes(const Texture& reference, const Texture& test, const Sce
   if (report.claims.empty() && report.partial.empty()) {
     if (std::optional<Claim> rounding = find_rounding(reference, test, report.share_different)) {
       report.claims.push_back(*std::move(rounding));
+      report.route = "rounding";
     }
   }
   if (!report.claims.empty()) {
     report.confined.clear();
+  } else if (!report.partial.empty()) {
+    report.route = "partial";
+  } else if (report.notes.empty()) {
+    report.route.clear();
   }
   return report;
 }

@@ -107,6 +107,10 @@ struct CauseReport {
   /// Fraction of pixels where our picture of the scene differs from the reference. If it is large,
   /// there are no claims that need the scene. 1 without a scene.
   double share_scene_unlike = 1;
+  /// Which steps of the search found the claims, joined by '+', and how many rays it traced: to
+  /// measure the search (tests/student/ledger.py).
+  std::string route;
+  std::uint64_t rays = 0;
 };
 
 enum class LookFor : std::uint8_t { single_mistakes, several_at_once };

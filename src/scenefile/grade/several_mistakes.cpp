@@ -253,6 +253,15 @@ std::optional<Tried> better(const std::optional<Tried>& a, const std::optional<T
   return b && (!a || clearly_better(*b, *a)) ? b : a;
 }
 
+// `found`, or what a step of the search found, if that is better.
+void take_better(Simulation& sim, std::optional<Tried>& found, const std::optional<Tried>& other,
+                 const char* route) {
+  if (other && (!found || clearly_better(*other, *found))) {
+    found = other;
+    sim.route = route;
+  }
+}
+
 // The best of what `search` finds from each start, until it explains nearly everything.
 template <typename Search>
 std::optional<Tried> best_from(Simulation& sim, const std::vector<Combination>& starts, double from,
@@ -541,22 +550,27 @@ std::optional<Tried> find_several(Simulation& sim, const std::vector<Tried>& ran
   append(pairs, with_edge_mistakes(sim, alone));
   sort_by_merit(pairs);
   std::vector<Tried> best = verified(sim, pairs, 16, 0.45, 0.5);
-  std::optional<Tried> found = first_good(sim, best);
+  std::optional<Tried> found;
+  take_better(sim, found, first_good(sim, best), "pairs");
   std::vector<Combination> singles;
   if (!found || !reproduces_all(*found)) {
-    found = better(found, nearly_alone(sim, alone));
+    take_better(sim, found, nearly_alone(sim, alone), "nearly-alone");
   }
   if (!found || !reproduces_all(*found)) {
     singles = likely_starts(sim, ranked);
-    found = better(found, search_from(sim, singles, 0.5, 0.7, pairs));
+    take_better(sim, found, search_from(sim, singles, 0.5, 0.7, pairs), "starts");
   }
   if (!found || !sure(*found)) {
-    found = better(found, with_fitted_curve(sim, plain));
+    take_better(sim, found, with_fitted_curve(sim, plain), "curve");
   }
   if (found) {
+    const Tried before = *found;
     found = completed(sim, *found);
+    sim.route += found->mistakes == before.mistakes ? "" : "+completed";
     if (found->mistakes.size() > 2) {
+      const Tried third = *found;
       found = best_completed(sim, best, *found);
+      sim.route += found->mistakes == third.mistakes ? "" : "+best-completed";
     }
   }
   if (found && sure(*found) && found->mistakes.size() < 3) {
@@ -565,16 +579,18 @@ std::optional<Tried> find_several(Simulation& sim, const std::vector<Tried>& ran
   // Three mistakes may imitate one beside acne.
   claims = find_acne_beside(sim, likely_beside_acne(ranked, best)).claims;
   if (!claims.empty()) {
+    sim.route = "acne-beside";
     return std::nullopt;
   }
   if (found && sure(*found)) {
     return found;
   }
   std::vector<Tried> triples;
-  found = better(found, search_from(sim, pairs_to_extend(sim, pairs), 0.7, 0.9, triples));
+  take_better(sim, found, search_from(sim, pairs_to_extend(sim, pairs), 0.7, 0.9, triples),
+              "extended-pairs");
   if (!found) {
     singles.resize(std::min(singles.size(), max_starts_of_triples));
-    found = search_triples_from(sim, singles, 0.9, 1);
+    take_better(sim, found, search_triples_from(sim, singles, 0.9, 1), "triples");
   }
   return found;
 }
@@ -586,6 +602,7 @@ std::optional<Tried> find_several_of_picture(Simulation& sim, const std::vector<
   }
   const std::optional<Tried> found =
       first_good(sim, verified(sim, extended(sim, starts, few_points, 0.4, 0.9), 12, 0.9, 1));
+  sim.route = "pairs-of-picture";
   return found ? std::optional(completed(sim, *found)) : std::nullopt;
 }
 

@@ -77,6 +77,7 @@ struct Simulation {
   mutable std::atomic<std::uint64_t> rays{0};
   bool usable = false;  ///< whether the scene is that of the reference
   bool stopped = false;
+  std::string route{};  ///< CauseReport::route of what is found so far
 
   /// Reports progress; false: stop.
   bool step(double done);

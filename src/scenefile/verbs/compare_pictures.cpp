@@ -203,6 +203,7 @@ CauseReport causes_of(const Looked& look, const LoadedScene& scene,
         find_causes(look.reference, look.test, &other, go_on, LookFor::single_mistakes);
     const bool better = !decided_by_a_hair || causes.claims.size() < found.claims.size();
     if (explained_by_one(causes) && better && !is_part_of(causes, found)) {
+      causes.route = "other-way+" + causes.route;
       found = std::move(causes);
       way = &ways[i];
     }
@@ -299,6 +300,7 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
       differ_by_compression(reference, test)) {
     found.causes.notes.push_back(
         {Cause::samples, "the colors are as inexact as those of JPEGs", {}, 1});
+    found.causes.route = "jpeg-note";
   }
   if (!noisy && explains_nothing(found.causes) && !found.other_outlines) {
     // With several samples per pixel, textures and edges differ, but less so in the means.
@@ -307,6 +309,7 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
                                    LookFor::single_mistakes, other_way);
     if (explained_by_one(causes)) {
       causes.share_scene_unlike = found.causes.share_scene_unlike;
+      causes.route = "means+" + causes.route;
       found.causes = std::move(causes);
       way = other_way;
     }

@@ -893,10 +893,6 @@ std::optional<std::uint32_t> source_at(const SceneView& view, const glm::ivec2& 
   return hit.part == nullptr ? std::nullopt : std::optional(hit.part->source);
 }
 
-SceneView most_alike(const Texture& reference, std::span<const SceneView> views) {
-  return views[alike(reference, views).front().index];
-}
-
 std::vector<AlikeView> alike(const Texture& reference, std::span<const SceneView> views) {
   constexpr double nearly = 1.1;
   const auto shapes = flatten(*views.front().scene, *views.front().assets);

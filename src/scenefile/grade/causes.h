@@ -128,10 +128,6 @@ CauseReport find_causes(const Texture& reference, const Texture& test,
 std::optional<std::uint32_t> source_at(const SceneView& view, const glm::ivec2& pixel,
                                        const glm::ivec2& size);
 
-/// The view whose picture is most similar to the reference; on ties, the first. `views` must not
-/// be empty.
-SceneView most_alike(const Texture& reference, std::span<const SceneView> views);
-
 /// A view by its index, and whether its picture is as similar to the reference as the best one;
 /// otherwise it is nearly as similar.
 struct AlikeView {
@@ -140,7 +136,7 @@ struct AlikeView {
 };
 
 /// The views whose pictures are the most similar to the reference; those that are equally similar
-/// come first.
+/// come first. `views` must not be empty.
 std::vector<AlikeView> alike(const Texture& reference, std::span<const SceneView> views);
 
 }  // namespace scenefile

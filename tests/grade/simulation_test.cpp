@@ -84,6 +84,17 @@ TEST_F(WallOfSpheres, SingleMistakesAreDroppedAtAGlance) {
   EXPECT_TRUE(sim.cache[heaped].empty());
 }
 
+TEST_F(WallOfSpheres, FewPointsAreAllThatThereAre) {
+  Simulation sim{reference_, test_, &view_, go_on_};
+  screen_mistakes(LookFor::several_at_once, sim);
+  constexpr std::size_t count = 20;
+  sim.points.resize(count);
+  sim.prepare_clean();
+  EXPECT_EQ(sim.predicted({darker}, few_points).size(), count);
+  EXPECT_EQ(sim.base(few_points).differs, sim.base(count).differs);
+  EXPECT_EQ(sim.score_of({darker}, few_points).left, sim.score_of({darker}, count).left);
+}
+
 TEST_F(WallOfSpheres, ShapesWithMistakesAreBuiltOnce) {
   Simulation sim{reference_, test_, &view_, go_on_};
   screen_mistakes(LookFor::several_at_once, sim);

@@ -222,6 +222,7 @@ bool Simulation::significant() const {
 }
 
 Simulation::Base Simulation::base(std::size_t count) const {
+  count = std::min(count, points.size());
   Base b;
   b.left = score(points, count, clean({}).reference).left;
   if (usable) {
@@ -399,6 +400,7 @@ bool Simulation::any_heavy(const Combination& mistakes) const {
 }
 
 Colors Simulation::predicted(const Combination& mistakes, std::size_t count) const {
+  count = std::min(count, points.size());
   const Turn turn = turn_of(mistakes);
   const Clean& right = clean(turn);
   const auto first = [count](const Colors& colors) {
@@ -428,6 +430,7 @@ Colors Simulation::closer(Colors a, Colors b) const {
 }
 
 Score Simulation::score_of(const Combination& mistakes, std::size_t count) const {
+  count = std::min(count, points.size());
   return score(points, count, predicted(mistakes, count));
 }
 

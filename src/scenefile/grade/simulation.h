@@ -106,6 +106,7 @@ struct Simulation {
   double weight_that_differs(std::size_t count) const;
   /// Whether enough points differ to be evidence.
   bool significant() const;
+  /// Of the first `count` points, or of all if there are fewer; so are the scores below.
   Base base(std::size_t count) const;
   /// The picture with these mistakes; nullopt if none affects drawing. Sets `work` if it is drawn
   /// now.

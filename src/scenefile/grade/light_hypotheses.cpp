@@ -158,13 +158,15 @@ void add_lights(HypothesisList& list) {
           "also in shadow rays"}});
   }
   if (list.scene.lights.size() > 1) {
-    list.set_each<LightSum>(
-        Cause::lights, &ModelMistakes::light_sum,
-        {{LightSum::brightest,
-          "only the brightest light counts: the maximum of the lights, not their sum"},
-         {LightSum::last, "each light replaces those before it, where it is not shadowed"},
-         {LightSum::last_of_all,
-          "each light replaces those before it and the ambient term, where it is not shadowed"}});
+    const auto sum = [&](LightSum value, const std::string& what) {
+      list.set(Cause::lights, &ModelMistakes::light_sum, value, what);
+    };
+    const std::string lit =
+        list.ray_mode() && list.view.options.features.shadows ? ", where it is not shadowed" : "";
+    sum(LightSum::brightest,
+        "only the brightest light counts: the maximum of the lights, not their sum");
+    sum(LightSum::last, "each light replaces those before it" + lit);
+    sum(LightSum::last_of_all, "each light replaces those before it and the ambient term" + lit);
     change_lights(list, Cause::lights, "the light is divided by the number of lights",
                   [n = float(list.scene.lights.size())](RenderLight& l) { l.color /= n; });
   }

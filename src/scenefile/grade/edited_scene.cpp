@@ -14,6 +14,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -567,7 +568,7 @@ std::vector<SceneValue> Search::likeliest_first(std::vector<SceneValue> values) 
   });
   std::stable_sort(ranked.begin(), ranked.end(),
                    [](const Ranked& a, const Ranked& b) { return a.agreement > b.agreement; });
-  const std::uint64_t last_glance = sim_.rays + (last_ray_ - sim_.rays) / 2;
+  const std::uint64_t last_glance = std::midpoint(sim_.rays.load(), last_ray_);
   for (std::size_t i = 0; i < std::min(max_at_a_glance, ranked.size()); ++i) {
     if (sim_.rays < last_glance && ranked[i].agreement > 0) {
       ranked[i].left = left_at_a_glance(values[ranked[i].value]);

@@ -213,6 +213,7 @@ double Search::left_with(const SceneValue& value, const std::vector<double>& num
 
 // Squares with `across` times `across` of their pixels: those that differ most, and others.
 Cells Search::squares(int size, int across, std::size_t max_count) const {
+  constexpr std::size_t max_drawn = 8;  // for each square that is returned
   across = std::min(across, size);
   struct Square {
     int x, y;
@@ -237,6 +238,14 @@ Cells Search::squares(int size, int across, std::size_t max_count) const {
     }
   }
   if (!beside_.empty()) {
+    // They are drawn to see which differ, so only some of small ones.
+    const std::size_t every = std::max<std::size_t>(1, all.size() / (max_drawn * max_count));
+    for (std::size_t i = 0; every * i < all.size(); ++i) {
+      all[i] = all[every * i];
+      middles[i] = middles[every * i];
+    }
+    all.resize((all.size() + every - 1) / every);
+    middles.resize(all.size());
     const Colors colors = drawn_unedited(middles);
     for (std::size_t i = 0; i < all.size(); ++i) {
       const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace scenefile {
 
@@ -345,8 +346,12 @@ std::optional<Claim> claim_of_missed_samples(Simulation& sim) {
   std::size_t bright = 0;
   std::size_t candidates = 0;
   const std::size_t all = std::size_t(sim.test.width) * sim.test.height;
+  std::vector<std::uint32_t> pixels(all);
+  std::iota(pixels.begin(), pixels.end(), 0);
   std::mt19937 random(5);
-  for (std::size_t i = 0; i < all && candidates < 3000; ++i) {
+  for (std::size_t k = 0; k < all && candidates < 3000; ++k) {
+    std::swap(pixels[k], pixels[k + random() % (all - k)]);
+    const std::size_t i = pixels[k];
     const auto x = static_cast<int>(i % std::size_t(sim.test.width));
     const auto y = static_cast<int>(i / std::size_t(sim.test.width));
     const Range range = around(sim.reference, x, y);

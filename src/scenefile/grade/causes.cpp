@@ -623,7 +623,6 @@ bool claim_edited_scene(Simulation& sim, const std::vector<Combination>& likely,
   if (found && shows_much(sim, *found)) {
     sim.route = found->mistakes.size() == 1 ? "edited" : "edited-beside";
     claim(sim, *found, {}, {}, report);
-    report.partial.clear();
     return true;
   }
   return false;
@@ -741,7 +740,6 @@ CauseReport look_for_causes(Simulation& sim, LookFor asked) {
   if (undrawn) {
     if (report.claims.empty()) {
       report.claims.push_back(*std::move(undrawn));
-      report.partial.clear();
       sim.route = "undrawn";
     }
     return report;
@@ -750,7 +748,6 @@ CauseReport look_for_causes(Simulation& sim, LookFor asked) {
     if (report.claims.empty() || report.claims.front().explained < 0.98) {
       report.claims.clear();
       report.rivals.clear();
-      report.partial.clear();
       // A camera that is turned a little shifts the picture, but not by whole pixels everywhere.
       if (!edited || exact_share(sim, *copy) >= nearly_all ||
           !claim_edited_scene(sim, {}, report)) {
@@ -968,6 +965,7 @@ CauseReport find_causes(const Texture& reference, const Texture& test, const Sce
     }
   }
   if (!report.claims.empty()) {
+    report.partial.clear();
     report.confined.clear();
   } else if (!report.partial.empty()) {
     report.route = "partial";

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <utility>
 
 namespace scenefile {
@@ -134,12 +135,15 @@ void add_camera(HypothesisList& list) {
           c.v = glm::cross(c.w, c.u);
         }
       });
-  for (const double scale : {1.0, 2.0, 3.0, 5.0, 10.0, glm::length(list.scene.camera.position)}) {
-    if (scale > 0) {
-      list.add(
-          Cause::camera, "camera rays are parallel: there is no perspective",
-          [scale](Trial& t) { t.mistakes.orthographic = scale; }, Stage::camera);
-    }
+  std::set<double> distances{1, 2, 3, 5, 10, glm::length(list.scene.camera.position)};
+  distances.erase(0);
+  for (const double distance : distances) {
+    list.add(
+        Cause::camera,
+        fmt::format("camera rays are parallel: there is no perspective, and all is as large as "
+                    "at a distance of {:.3g}",
+                    distance),
+        [distance](Trial& t) { t.mistakes.orthographic = distance; }, Stage::camera);
   }
   if (list.view.written != nullptr && list.view.written->camera) {
     const Camera& written = *list.view.written->camera;

@@ -187,10 +187,13 @@ void name_ties(const Simulation& sim, const Tried& found, const std::vector<Trie
     same.push_back(found.mistakes[k]);
     std::sort(same.begin(), same.end());
     std::set<Cause> seen;
+    std::set<std::string_view> words;
     std::vector<std::uint16_t> more;
     std::vector<std::uint16_t> named;
     for (const std::uint16_t i : same) {
-      (seen.insert(sim.list[i].cause).second ? named : more).push_back(i);
+      if (words.insert(sim.list[i].what).second) {
+        (seen.insert(sim.list[i].cause).second ? named : more).push_back(i);
+      }
     }
     named.insert(named.end(), more.begin(), more.end());
     named.resize(std::min(max_ties, named.size()));
@@ -246,8 +249,12 @@ void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& 
   std::string same;
   const Colors shown = sim.predicted(found.mistakes, sim.points.size());
   int same_cause = 0;
+  std::set<std::string_view> words{sim.list[found.mistakes.front()].what};
   for (const Tried& t : others) {
     const Hypothesis& h = sim.list[t.mistakes.front()];
+    if (words.contains(h.what)) {
+      continue;
+    }
     const bool listed = is_chance(h.cause, sim.list[found.mistakes.front()].cause) ||
                         h.cause == sim.list[found.mistakes.front()].cause ||
                         std::any_of(report.rivals.begin(), report.rivals.end(),
@@ -258,6 +265,7 @@ void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& 
         equal_colors(shown, sim.predicted(t.mistakes, sim.points.size()))) {
       ++same_cause;
       same += "; or " + h.what;
+      words.insert(h.what);
     }
     if (t.mistakes.size() == 1 && !listed && good(t) && report.rivals.size() < 3 &&
         t.score.raw <= found.score.raw + rival_margin * b.left) {

@@ -275,8 +275,8 @@ std::span<const std::pair<const char*, PixelFilter>> pixel_filters() {
   static const std::array<std::pair<const char*, PixelFilter>, 6> filters{
       {{"3 by 3 pixels", {{1, 1, 1}, 1}},
        {"5 by 5 pixels", {{1, 1, 1, 1, 1}, 2}},
-       {"2 by 2 pixels", {{1, 1}, 0}},
-       {"2 by 2 pixels", {{1, 1}, 1}},
+       {"2 by 2 pixels, to the right and down", {{1, 1}, 0}},
+       {"2 by 2 pixels, to the left and up", {{1, 1}, 1}},
        {"3 by 3 pixels, weighted", {{1, 2, 1}, 1}},
        {"5 by 5 pixels, weighted", {{1, 4, 6, 4, 1}, 2}}}};
   return filters;

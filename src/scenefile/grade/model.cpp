@@ -1132,8 +1132,10 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
     const dvec3 diffuse_part = arriving.factor * diffuse_light * diffuse;
     const dvec3 specular_part = arriving.specular_factor * specular_light * shining;
     color = diffuse_part + specular_part;
-    // What is dark anyway needs no shadow, unless a light that is not shadowed replaces others.
-    if (color == dvec3(0) && m_.shadow == ShadowMistake::none && m_.light_sum == LightSum::none) {
+    // What is dark anyway needs no shadow, unless a light that is not shadowed replaces others, or
+    // the ambient term depends on it.
+    if (color == dvec3(0) && m_.shadow == ShadowMistake::none && m_.light_sum == LightSum::none &&
+        m_.ambient != AmbientMistake::lit_only) {
       return true;
     }
     bool dark = shadowed(light, s, arriving, depth);

@@ -11,7 +11,6 @@
 #include <map>
 #include <numbers>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 namespace scenefile {
@@ -216,53 +215,41 @@ std::optional<FittedTerm> fitted(const Made& made, const std::vector<Group>& gro
   return fit;
 }
 
-void set_by_light(std::vector<Curve>& curves, const std::vector<std::size_t>& lights,
-                  const Curve& curve, std::size_t count) {
-  curves.resize(count);
-  for (const std::size_t light : lights) {
-    curves[light] = curve;
-  }
-}
-
-// A function of each group of lights that have the same numbers. `of_point`: its argument.
+// A function of each group of lights with the same key. `argument`: of the function, at a point.
 template <typename Key>
 std::vector<Group> groups_of_lights(
-    const Made& made, std::vector<Curve> ModelMistakes::*member,
-    const std::function<std::optional<Key>(const RenderLight&)>& key,
+    const Made& made, std::vector<std::pair<Key, Curve>> ModelMistakes::*member,
+    bool (*has_function)(LightType), const std::function<Key(const RenderLight&)>& key_of,
     const std::function<double(const RenderLight&, const dvec3&)>& argument,
     const std::function<std::vector<double>(std::vector<double>)>& knots) {
-  const std::vector<RenderLight>& lights = made.trial.scene.lights;
-  std::map<Key, std::vector<std::size_t>> members;
-  for (std::size_t i = 0; i < lights.size(); ++i) {
-    if (const std::optional<Key> k = key(lights[i])) {
-      members[*k].push_back(i);
+  std::vector<std::pair<Key, std::vector<double>>> arguments;
+  for (const RenderLight& light : made.trial.scene.lights) {
+    if (!has_function(light.type)) {
+      continue;
+    }
+    const Key key = key_of(light);
+    auto of_key = std::find_if(arguments.begin(), arguments.end(),
+                               [&](const auto& one) { return one.first == key; });
+    if (of_key == arguments.end()) {
+      of_key = arguments.insert(of_key, {key, {}});
+    }
+    for (const dvec3& p : made.places) {
+      of_key->second.push_back(argument(light, p));
     }
   }
   std::vector<Group> groups;
-  for (const auto& one : members) {
-    const std::vector<std::size_t>& of_group = one.second;
-    std::vector<double> arguments;
-    for (const std::size_t i : of_group) {
-      for (const dvec3& p : made.places) {
-        arguments.push_back(argument(lights[i], p));
-      }
-    }
-    groups.push_back(
-        {knots(std::move(arguments)), [=, count = lights.size()](Trial& t, const Curve& curve) {
-           set_by_light(t.mistakes.*member, of_group, curve, count);
-         }});
+  for (auto& [key, values] : arguments) {
+    groups.push_back({knots(std::move(values)), [=, key = key](Trial& t, const Curve& curve) {
+                        (t.mistakes.*member).emplace_back(key, curve);
+                      }});
   }
   return groups;
 }
 
 std::vector<Group> groups_of_fading(const Made& made) {
-  using Key = std::tuple<float, float, float>;
-  return groups_of_lights<Key>(
-      made, &ModelMistakes::fading,
-      [](const RenderLight& light) {
-        const glm::vec3& a = light.attenuation;
-        return has_position(light.type) ? std::optional(Key(a.x, a.y, a.z)) : std::nullopt;
-      },
+  return groups_of_lights<glm::vec3>(
+      made, &ModelMistakes::fading, has_position,
+      [](const RenderLight& light) { return light.attenuation; },
       [](const RenderLight& light, const dvec3& point) {
         return glm::length(dvec3(light.position) - point);
       },
@@ -284,13 +271,9 @@ std::string words_of_fading(const Curve& c) {
 }
 
 std::vector<Group> groups_of_cones(const Made& made) {
-  using Key = std::tuple<float, float>;
-  return groups_of_lights<Key>(
-      made, &ModelMistakes::cone,
-      [](const RenderLight& light) {
-        return has_cone(light.type) ? std::optional(Key(light.inner_angle, light.outer_angle))
-                                    : std::nullopt;
-      },
+  return groups_of_lights<glm::vec2>(
+      made, &ModelMistakes::cone, has_cone,
+      [](const RenderLight& light) { return glm::vec2(light.inner_angle, light.outer_angle); },
       [](const RenderLight& light, const dvec3& point) {
         const dvec3 way = glm::normalize(point - dvec3(light.position));
         return std::acos(std::clamp(glm::dot(way, dvec3(light.direction)), -1.0, 1.0));

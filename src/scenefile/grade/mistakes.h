@@ -453,11 +453,11 @@ struct ModelMistakes {
   AttenuationMistake attenuation = AttenuationMistake::none;
   SpotMistake spot = SpotMistake::none;
   ShadowMistake shadow = ShadowMistake::none;
-  /// By light, replaces the attenuation: a function of the distance.
-  std::vector<Curve> fading;
-  /// By light, replaces the falloff of spotlights: a function of the angle from the axis in
-  /// radians.
-  std::vector<Curve> cone;
+  /// Replaces the attenuation of lights with these coefficients: functions of the distance.
+  std::vector<std::pair<glm::vec3, Curve>> fading;
+  /// Replaces the falloff of spotlights with these angles, inner and outer: functions of the angle
+  /// from the axis. In radians.
+  std::vector<std::pair<glm::vec2, Curve>> cone;
   Curve diffuse_response;  ///< replaces max(0, N.L): a function of N.L
   /// Replaces powers of R.V, by exponent: functions of the angle in radians.
   std::vector<std::pair<double, Curve>> highlights;

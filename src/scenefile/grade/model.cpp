@@ -705,10 +705,16 @@ double spot_share(const RenderLight& light, double cosine, SpotMistake mistake) 
 
 }  // namespace
 
-const Curve* Model::curve_of(const RenderLight& light, const std::vector<Curve>& curves) const {
-  const auto index = static_cast<std::size_t>(&light - scene_.lights.data());
-  return index < curves.size() && !curves[index].knots.empty() ? &curves[index] : nullptr;
+namespace {
+
+template <typename Key>
+const Curve* curve_of(const std::vector<std::pair<Key, Curve>>& curves, const Key& key) {
+  const auto found =
+      std::find_if(curves.begin(), curves.end(), [&](const auto& one) { return one.first == key; });
+  return found == curves.end() ? nullptr : &found->second;
 }
+
+}  // namespace
 
 double Model::written_length(const RenderLight& light) const {
   const auto index = static_cast<std::size_t>(&light - scene_.lights.data());
@@ -762,14 +768,17 @@ bool Model::arrival(const RenderLight& light, const Surface& s, const dvec2& on_
   }
   const bool not_faded = m_.attenuation == (has_cone(light.type) ? AttenuationMistake::points_only
                                                                  : AttenuationMistake::spots_only);
-  const Curve* const other_fading = curve_of(light, m_.fading);
+  const Curve* const other_fading =
+      has_position(light.type) ? curve_of(m_.fading, light.attenuation) : nullptr;
   const double fading = other_fading != nullptr ? other_fading->at(arriving.distance)
                         : not_faded             ? 1
                                     : faded(light.attenuation, along_light, m_.attenuation);
   const bool as_written = mistake == LightVectorMistake::spot_as_long_as_written ||
                           mistake == LightVectorMistake::as_long_as_written;
   const double along = as_written ? cosine * written_length(light) : cosine;
-  const Curve* const other_cone = curve_of(light, m_.cone);
+  const Curve* const other_cone =
+      has_cone(light.type) ? curve_of(m_.cone, glm::vec2(light.inner_angle, light.outer_angle))
+                           : nullptr;
   const double spot = other_cone != nullptr
                           ? other_cone->at(std::acos(std::clamp(cosine, -1.0, 1.0)))
                       : has_cone(light.type) ? spot_share(light, along, m_.spot)

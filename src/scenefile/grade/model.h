@@ -152,7 +152,6 @@ class Model {
                        glm::dvec3& reflected) const;
   bool counts(const RenderLight& light) const;
   double written_length(const RenderLight& light) const;
-  const Curve* curve_of(const RenderLight& light, const std::vector<Curve>& curves) const;
   double transparency() const;
 
   const RenderScene& scene_;

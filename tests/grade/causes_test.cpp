@@ -604,6 +604,18 @@ TEST(Causes, SpotFalloff) {
   }
 }
 
+TEST(Causes, MistakesHaveDifferentWords) {
+  GeneratedScene scene(1);
+  scene.builder.scene.camera.position = {0, 3, 4};  // as far from the origin as rays may be apart
+  const Scene written = scene.written();
+  SceneView view = view_of(scene);
+  view.written = &written;
+  std::set<std::string> words;
+  for (const Hypothesis& h : drawing_hypotheses(view, width, height)) {
+    EXPECT_TRUE(words.insert(h.what).second) << h.what;
+  }
+}
+
 TEST(Causes, TwoAtOnce) {
   const GeneratedScene scene(3);
   const SceneView view = view_of(scene);

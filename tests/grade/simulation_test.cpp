@@ -1,9 +1,14 @@
 #include "scenefile/grade/simulation.h"
 
+#include "grade/generated_scene.h"
 #include "scenefile/grade/candidates.h"
+#include "scenefile/grade/edited_scene.h"
+#include "scenefile/grade/sampling_causes.h"
 #include "trace/build_scene.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace scenefile::grade_test {
 namespace {
@@ -95,6 +100,45 @@ TEST_F(WallOfSpheres, FewPointsAreAllThatThereAre) {
   EXPECT_EQ(sim.score_of({darker}, few_points).left, sim.score_of({darker}, count).left);
 }
 
+// The upper rows have many edges where the scene shows nothing.
+TEST_F(WallOfSpheres, SamplesThatMissAreLookedForInAllRows) {
+  constexpr int large = 256;
+  const Texture rows = quantize(builder_.picture(large, large, view_.options), Rounding::truncate);
+  Texture reference{large, 2 * large, {}};
+  for (int y = 0; y < 2 * large; ++y) {
+    for (int x = 0; x < large; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        reference.rgb.push_back(y >= large          ? rows.texel(x, y - large)[c]
+                                : x % 2 + y % 2 > 0 ? std::uint8_t{0}
+                                                    : std::uint8_t{200});
+      }
+    }
+  }
+  SceneView lower = view_;
+  lower.whole = glm::dvec2(large);
+  lower.corner = {0, -large};
+  Simulation all{rows, rows, &view_, go_on_};
+  all.look_at_scene();
+  Trial trial = all.right_trial(false);
+  trial.samples = 2;
+  trial.black_if_missed = true;
+  std::vector<Point> points;
+  for (int i = 0; i < large * large; ++i) {
+    points.push_back({i % large, i / large});
+  }
+  const Colors colors = all.draw(trial, *all.shapes, points, points.size(), Turn(), nullptr);
+  Texture test = reference;
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    for (int c = 0; c < 3; ++c) {
+      test.rgb[3 * (std::size_t{large} * large + i) + std::size_t(c)] =
+          static_cast<std::uint8_t>(std::clamp(colors[i][c], 0.0, 255.0));
+    }
+  }
+  Simulation sim{reference, test, &lower, go_on_};
+  sim.look_at_scene();
+  EXPECT_TRUE(claim_of_missed_samples(sim).has_value());
+}
+
 TEST_F(WallOfSpheres, ShapesWithMistakesAreBuiltOnce) {
   Simulation sim{reference_, test_, &view_, go_on_};
   screen_mistakes(LookFor::several_at_once, sim);
@@ -104,6 +148,64 @@ TEST_F(WallOfSpheres, ShapesWithMistakesAreBuiltOnce) {
   EXPECT_EQ(shapes_with({heaped}), shapes_with({heaped, darker}));
   EXPECT_EQ(shapes_with({darker}), sim.shapes);
   EXPECT_NE(shapes_with({heaped}), sim.shapes);
+}
+
+// Where all is as the mistakes make it, few rays are needed to see that, whatever the size.
+TEST(EditedScenes, BesideMistakesAreLookedForWithFewRays) {
+  const GeneratedScene scene(1);
+  const Scene written = scene.written();
+  const RenderScene ready = prepare(written, Limits()).scene;
+  const SceneView view{
+      &ready, &scene.builder.assets, default_options(Profile::course), &written, {}};
+  Texture black{1024, 768, std::vector<std::uint8_t>(3 * 1024 * 768)};
+  const std::function<bool(double)> go_on;
+  Simulation sim{black, black, &view, go_on};
+  sim.look_at_scene();
+  sim.usable = true;
+  sim.list.push_back({Cause::ambient,
+                      "nothing is lit",
+                      Stage::shading,
+                      [](Trial& t) {
+                        t.scene.lights.clear();
+                        t.scene.global.ambient = 0;
+                        t.options.features.reflect = false;
+                      },
+                      {},
+                      {}});
+  std::mt19937 random(1);
+  add_points(black, black, {100, 5000, 300000, 400000}, 4, true, false, random, sim.points);
+  sim.prepare_clean();
+  const std::uint64_t before = sim.rays;
+  EXPECT_FALSE(find_edit_beside(sim, {0}).has_value());
+  EXPECT_GT(sim.rays, before);
+  EXPECT_LT(sim.rays - before, 60'000u);
+}
+
+TEST(Lights, KeepTheirFunctionsWhenOthersAreLeftOut) {
+  trace_test::SceneBuilder builder;
+  RenderMaterial white;
+  white.diffuse = glm::vec3(1);
+  builder.add(Shape::sphere, trace_test::translate({0, 0, -3}), builder.material(white));
+  for (const float attenuation : {0.5f, 2.0f}) {
+    builder.light(LightType::point, {0, 0, 0}, glm::vec3(1)).attenuation = {attenuation, 0, 0};
+  }
+  builder.look({0, 0, 0}, {0, 0, -1});
+  const auto shapes = flatten(builder.scene, builder.assets);
+  ModelMistakes mistakes;
+  mistakes.fading.emplace_back(builder.scene.lights[1].attenuation, Curve{{0, 10}, {0.25, 0.25}});
+  const auto shares = [&](const RenderScene& drawn) {
+    const Model model(drawn, *shapes, builder.assets, default_options(Profile::course), mistakes);
+    return model.light_shares({{0, 0, 0}, {0, 0, -1}});
+  };
+  RenderScene second = builder.scene;
+  second.lights.erase(second.lights.begin());
+  const auto both = shares(builder.scene);
+  const auto one = shares(second);
+  ASSERT_EQ(both.size(), 2u);
+  ASSERT_EQ(one.size(), 1u);
+  EXPECT_GT(one[0].x, 0);
+  EXPECT_EQ(one[0], both[1]);
+  EXPECT_NE(one[0], both[0]);
 }
 
 TEST(EditedScenes, AreNotLookedForWhereColorsAreLost) {

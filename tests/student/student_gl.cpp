@@ -81,6 +81,7 @@ constexpr KnownMistake mistakes[] = {
     {"lights-first", "lights", "lights"},
     {"lights-reversed", "lights", "lights"},
     {"lights-white", "lights", "lights"},
+    {"lights-replace", "lights", "lights"},
     {"attenuation-none", "lights", "attenuation"},
     {"attenuation-quadratic", "lights", "attenuation"},
     {"spot-linear", "lights", "spot-falloff"},
@@ -583,6 +584,7 @@ class Program {
     const vec3 ambient = is("ambient-missing") ? vec3(0) : g.ambient * m.ambient;
     vec3 color = is("ambient-each-light") ? float(lights_.size()) * ambient : ambient;
     for (const RenderLight& light : lights_) {
+      color = is("lights-replace") ? ambient : color;
       vec3 to_light = -light.direction;
       float fade = 1;
       if (light.type != LightType::directional) {

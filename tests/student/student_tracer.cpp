@@ -323,6 +323,7 @@ constexpr KnownMistake table[] = {
     {"light-point-of-object", "lights", "lights|transforms"},
     {"light-attenuates-sum", "attenuation", "attenuation|lights"},
     {"ambient-times-light", "ambient", "ambient"},
+    {"ambient-where-lit", "ambient", "ambient"},
     {"diffuse-no-light-color", "diffuse", "diffuse"},
     {"diffuse-specular-coefficient", "diffuse", "diffuse"},
     {"specular-no-light-color", "specular", "specular"},
@@ -1217,6 +1218,7 @@ class Tracer {
       color = vec3(0);
     }
     bool first_shadowed = false;
+    bool any_light = false;
     const float ks = has("specular-no-coefficient")        ? 1
                      : has("specular-diffuse-coefficient") ? scene_.global.diffuse
                                                            : scene_.global.specular;
@@ -1349,6 +1351,7 @@ class Tracer {
       if (shadowed && has("shadow-black")) {
         return vec3(0);
       }
+      any_light = any_light || !shadowed;
       const vec3 l = has("light-not-normalized") && !directional ? lamp.position - point : to_light;
       float cosine = glm::dot(normal, l);
       if (has("diffuse-absolute-everywhere")) {
@@ -1434,6 +1437,9 @@ class Tracer {
         continue;
       }
       color += has("habit-clamped-lights") ? glm::min(added, vec3(4)) : added;
+    }
+    if (has("ambient-where-lit") && !any_light) {
+      color -= ambient;
     }
     return color;
   }

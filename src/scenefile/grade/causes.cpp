@@ -237,8 +237,10 @@ void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& 
     if (found.mistakes.size() == 1) {
       one.evidence = evidence_of_one(found.score.left / values, b.left / values, found.exact);
     } else {
-      const Tried alone = sim.rated({i}, sim.score_of({i}, sim.points.size()), b);
-      one.evidence = evidence_of_several(found.explained, alone.explained);
+      Combination others = found.mistakes;
+      std::erase(others, i);
+      const Tried without = sim.rated(others, sim.score_of(others, sim.points.size()), b);
+      one.evidence = evidence_of_several(found.explained, without.explained);
     }
     report.claims.push_back(std::move(one));
   }

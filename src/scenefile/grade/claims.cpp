@@ -17,9 +17,9 @@ std::string evidence_of_one(double left, double before, double exact) {
       before, left, percent(exact));
 }
 
-std::string evidence_of_several(double together, double by_itself) {
-  return fmt::format("together they explain {} of the difference; this one alone explains {}",
-                     percent(together), percent(std::max(0.0, by_itself)));
+std::string evidence_of_several(double together, double without) {
+  return fmt::format("together they explain {} of the difference; without this one, {}",
+                     percent(together), percent(std::max(0.0, without)));
 }
 
 std::string evidence_of_share(double explained) {

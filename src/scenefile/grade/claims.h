@@ -12,9 +12,8 @@ std::string percent(double share);
 /// Evidence for one simulated mistake: the mean difference with and without it, in 1/255, and the
 /// share of the differing pixels that it reproduces.
 std::string evidence_of_one(double left, double before, double exact);
-/// The shares of the difference that several mistakes explain together, and that one of them
-/// explains by itself.
-std::string evidence_of_several(double together, double by_itself);
+/// The shares of the difference that several mistakes explain together, and without one of them.
+std::string evidence_of_several(double together, double without);
 /// The share of the difference that a simulated mistake explains.
 std::string evidence_of_share(double explained);
 

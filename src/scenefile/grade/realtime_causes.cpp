@@ -462,9 +462,11 @@ class Search {
       if (found.mistakes.size() == 1) {
         one.evidence = evidence_of_one(found.score.left / values, before / values, found.exact);
       } else {
-        const std::vector<Tried> alone = try_all({{i}}, points_.size(), 1, 1);
+        Combination others = found.mistakes;
+        std::erase(others, i);
+        const std::vector<Tried> without = try_all({others}, points_.size(), 1, 1);
         one.evidence =
-            evidence_of_several(found.explained, alone.empty() ? 0 : alone.front().explained);
+            evidence_of_several(found.explained, without.empty() ? 0 : without.front().explained);
       }
       report_.claims.push_back(std::move(one));
     }

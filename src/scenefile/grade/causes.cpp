@@ -671,7 +671,9 @@ double exact_share(const Simulation& sim, const PlacedCopy& copy) {
 }
 
 CauseReport look_for_causes(Simulation& sim, LookFor asked) {
-  const bool edited = asked == LookFor::several_at_once;
+  // What a picture lost by compression or scaling may hide that an edit is not the right one.
+  const bool edited =
+      asked == LookFor::several_at_once && sim.view != nullptr && sim.view->samples == 1;
   LookFor look_for = asked;
   CauseReport report;
   const Pixels pixels = sorted_pixels(sim.reference, sim.test);

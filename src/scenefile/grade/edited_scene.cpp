@@ -649,11 +649,17 @@ std::optional<Tried> Search::tried(const SceneValue& value, Fit fit) {
   if (shade && t.explained < 0.999) {
     return std::nullopt;
   }
-  // Other values may look nearly alike, such as a light that is farther away.
-  constexpr double certain = 0.9995;
+  // Many mistakes are nearly like an edit. What is drawn from an edited scene is equal but for
+  // rounding, except where the last digit of the edit moves an edge.
+  constexpr double nearly_all_equal = 0.97;
+  const std::size_t count = sim_.points.size();
+  const Effect e = effect_of(sim_, sim_.predicted(all, count), sim_.predicted(beside_, count));
+  if (e.within_rounding < nearly_all_equal * e.changed) {
+    return std::nullopt;
+  }
   sim_.list.back().what = fmt::format(
-      "drawn from an edited scene, or the scene was read wrongly: {} is {}{} instead of {}{}",
-      value.name, t.explained < certain ? "about " : "", text_of(fit.numbers), before, where);
+      "drawn from an edited scene, or the scene was read wrongly: {} is {} instead of {}{}",
+      value.name, text_of(fit.numbers), before, where);
   return t;
 }
 
@@ -826,7 +832,7 @@ std::optional<RenderScene> ready_with_same_files(const RenderScene& scene, const
 }
 
 std::optional<Tried> find_edit_beside(Simulation& sim, const Combination& mistakes) {
-  return sim.shapes->parts.size() > max_parts
+  return sim.shapes->parts.size() > max_parts || sim.view->samples > 1
              ? std::nullopt
              : Search(sim, mistakes, sim.rays + max_work_beside, sim.rays + max_work).run();
 }

@@ -597,7 +597,8 @@ CauseReport find_realtime_causes(const Texture& reference, const Texture& test,
   CauseReport report = Search(reference, test, view, go_on).run();
   if (report.claims.empty() && report.partial.empty()) {
     // Causes found without the scene, such as a blurred picture.
-    CauseReport plain = find_causes(reference, test, nullptr, {});
+    CauseReport plain =
+        find_causes(reference, test, nullptr, [&](double /*done*/) { return !go_on || go_on(1); });
     const bool curve = std::any_of(plain.claims.begin(), plain.claims.end(), [](const Claim& c) {
       return c.cause == Cause::brightness || c.cause == Cause::gamma;
     });

@@ -271,6 +271,67 @@ bool probably_exchanged(const Texture& reference, const Texture& test, const Loa
   return !swapped.claims.empty() && explained_by_one(swapped);
 }
 
+// The rows of a picture with the most contrast.
+PixelRegion telling_rows(const Texture& picture) {
+  constexpr int max_rows = 24;
+  const int rows = std::min(max_rows, picture.height);
+  PixelRegion best{0, 0, picture.width, rows};
+  std::uint64_t most = 0;
+  for (int top = 0; top + rows <= picture.height; top += rows) {
+    std::uint64_t contrast = 0;
+    for (int y = top; y < top + rows; ++y) {
+      const std::uint8_t* row = picture.texel(0, y);
+      for (int i = 3; i < 3 * picture.width; ++i) {
+        contrast += static_cast<std::uint64_t>(std::abs(row[i] - row[i - 3]));
+      }
+    }
+    if (contrast > most) {
+      most = contrast;
+      best = {0, top, picture.width, top + rows};
+    }
+  }
+  return best;
+}
+
+// The share of the values in these rows that our picture of the scene has within rounding.
+double share_of_equal_values(const Texture& reference, const PixelRegion& rows,
+                             const LoadedScene& scene, RenderOptions options) {
+  options.width = reference.width;
+  options.height = reference.height;
+  options.crop = rows;
+  const RenderResult drawn = render(scene.ready.scene, scene.assets, options);
+  if (drawn.status != RenderStatus::complete) {
+    return 0;
+  }
+  const Texture ours = quantize(drawn.image, rounding_of(options.profile));
+  const std::uint8_t* theirs = reference.texel(0, rows.y0);
+  std::size_t equal = 0;
+  for (std::size_t i = 0; i < ours.rgb.size(); ++i) {
+    equal += std::abs(ours.rgb[i] - theirs[i]) <= 1 ? 1 : 0;
+  }
+  return static_cast<double>(equal) /
+         static_cast<double>(std::max<std::size_t>(1, ours.rgb.size()));
+}
+
+// Sets in which way the reference was drawn, which includes its samples, and whether exactly so.
+// The search for causes needs neither.
+void find_drawn_with(const Texture& reference, const LoadedScene& scene, const DrawnWay& way,
+                     PictureComparison& found) {
+  constexpr double nearly_all = 0.98;
+  const PixelRegion rows = telling_rows(reference);
+  double most = share_of_equal_values(reference, rows, scene, way.options);
+  found.drawn_with = way.words;
+  if (way.options.profile == Profile::course && way.options.mode == Mode::ray) {
+    RenderOptions other = way.options;
+    other.features.super_sample = !other.features.super_sample;
+    if (const double share = share_of_equal_values(reference, rows, scene, other); share > most) {
+      most = share;
+      found.drawn_with = options_text(other);
+    }
+  }
+  found.drawn_exactly = most >= nearly_all;
+}
+
 // Looks for causes; uses the scene if there are ways to draw it.
 void look_for_causes(const Texture& reference, const Texture& test, const LoadedScene* scene,
                      const std::vector<DrawnWay>& ways, const Part& part, bool noisy,
@@ -315,6 +376,9 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
     }
   }
   found.drawn_with = way->words;
+  if (!settings.ways_fit && !found.other_size() && found.scene_fits()) {
+    find_drawn_with(reference, *scene, *way, found);
+  }
   found.where = place_to_look(reference, test, scene, way, part);
   const double unlike = found.causes.share_scene_unlike;
   found.exchanged = !found.other_size() &&
@@ -646,6 +710,12 @@ PictureComparison compare(const Texture& given, const Texture& test, const Image
         fmt::format("the size is {}x{}, expected {}x{}; compared {}", test.width, test.height,
                     given.width, given.height, what_was_compared(found)));
   }
+  // Several searches, each from the start to the end, are one for the caller.
+  double most = 0;
+  const std::function<bool(double)> forward = [&](double done) {
+    most = std::max(most, done);
+    return !go_on || go_on(most);
+  };
   const bool wanted = !found.broken.empty() ||
                       (settings.look == LookForCauses::always && found.measures.difference.max > 0);
   if (wanted && found.measures.same_size && !found.equal_in_8_bits) {
@@ -658,7 +728,7 @@ PictureComparison compare(const Texture& given, const Texture& test, const Image
     }
     const Part part{found.whole, found.corner};
     const bool noisy = settings.lossy || found.resampled || has_palette(shown);
-    look_for_causes(reference, shown, drawable, ways, part, noisy, settings, go_on, found);
+    look_for_causes(reference, shown, drawable, ways, part, noisy, settings, forward, found);
     if (found.where && !found.scene_fits()) {  // the pictures show other objects there
       found.where->hit = false;
     }
@@ -773,7 +843,8 @@ std::string causes_text(const PictureComparison& found) {
                                      : "--profile and --features");
   }
   if (!found.drawn_with.empty()) {
-    text += fmt::format("reference: as drawn with {}{}\n", found.drawn_with,
+    text += fmt::format("reference: {} drawn with {}{}\n", found.drawn_exactly ? "as" : "nearly as",
+                        found.drawn_with,
                         found.contradicted.empty()
                             ? ""
                             : fmt::format(", not with {}, which was given", found.contradicted));

@@ -99,8 +99,9 @@ struct PictureComparison {
   CauseReport causes;               ///< empty if no causes were looked for
   bool realtime = false;            ///< whether the reference is of the assignment Realtime
   std::string drawn_with;           ///< DrawnWay::words of the reference; empty: unknown
-  std::string contradicted;  ///< the only way that was given, if it contradicts the reference
-  bool scene_used = false;   ///< whether the search for causes had a scene
+  bool drawn_exactly = true;  ///< `drawn_with` draws the reference within rounding, not only nearly
+  std::string contradicted;   ///< the only way that was given, if it contradicts the reference
+  bool scene_used = false;    ///< whether the search for causes had a scene
   bool right_at_other_size = false;  ///< the picture under test shows the scene, at another size
   bool exchanged = false;  ///< the picture under test shows the scene, and the reference does not
   bool other_outlines = false;   ///< nothing explains the difference, and few edges are the same

@@ -312,6 +312,19 @@ TEST_F(DiffImages, TheCommandToTryDrawsTheSamePicture) {
               HasSubstr("as drawn with --profile fine --features intersect\n"));
 }
 
+TEST_F(DiffImages, AReferenceIsSaidToBeDrawnWithItsSamples) {
+  const std::string features = "shadows,reflect,refract,texture,super-sample";
+  in_folder({"render", "ball.xml", "-o", "many.png", "--size", "64x48", "--profile", "course",
+             "--features", features, "--quiet"});
+  const std::string said = in_folder({"diff", "many.png", "wrong.png", "--scene", "ball.xml"}).out;
+  EXPECT_THAT(said, HasSubstr("reference: as drawn with --profile course --features "));
+  EXPECT_THAT(said, HasSubstr("super-sample\n"));
+  const auto picture = decode_image(folder.read("right.png"));
+  folder.write("right.jpg", jpeg_of(*picture, 60));
+  EXPECT_THAT(in_folder({"diff", "right.jpg", "wrong.png", "--scene", "ball.xml"}).out,
+              HasSubstr("reference: nearly as drawn with --profile course"));
+}
+
 TEST_F(DiffImages, OtherSizesAndFiles) {
   const ProgramRun sizes = in_folder({"diff", "right.png", "small.png", "--min-psnr", "0"});
   EXPECT_EQ(sizes.status, 1);

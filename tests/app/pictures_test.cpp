@@ -318,7 +318,7 @@ TEST_F(DiffImages, AReferenceIsSaidToBeDrawnWithItsSamples) {
              "--features", features, "--quiet"});
   const std::string said = in_folder({"diff", "many.png", "wrong.png", "--scene", "ball.xml"}).out;
   EXPECT_THAT(said, HasSubstr("reference: as drawn with --profile course --features "));
-  EXPECT_THAT(said, HasSubstr("super-sample\n"));
+  EXPECT_THAT(said, HasSubstr("super-sample"));
   const auto picture = decode_image(folder.read("right.png"));
   folder.write("right.jpg", jpeg_of(*picture, 60));
   EXPECT_THAT(in_folder({"diff", "right.jpg", "wrong.png", "--scene", "ball.xml"}).out,

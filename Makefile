@@ -259,7 +259,7 @@ tidy: ## check the sources with clang-tidy; ROOM=format: only of this room
 	@run-clang-tidy-14 -quiet -p build/tidy -j $(JOBS) -extra-arg=-Wno-unused-command-line-argument \
 	  $(if $(ROOM),'scenefile_$(ROOM)(_cold|_tests)?\.dir') > build/tidy/log.txt 2>&1 || { cat build/tidy/log.txt; exit 1; }
 
-.PHONY: bench bench-build bench-quality
+.PHONY: bench bench-build bench-quality bench-path
 BENCH_TARGETS = scenefile $(addprefix scenefile_bench_,load kernels psnr inside replay memory)
 bench-build:
 	@scripts/install-deps core bench
@@ -269,6 +269,9 @@ bench-build:
 bench-quality: bench-build ## CPU time for pictures of equal quality, compared with POV-Ray; CORPUS=DIR: also for the course's scenes
 	@mkdir -p out
 	@bench/quality $(BUILD) $(SCENES) --out out/quality.json --runs $(or $(RUNS),2) $(if $(CORPUS),--corpus "$(CORPUS)")
+bench-path: bench-build ## error and CPU time of path tracing, compared with Cycles; SCENES="FILE.xml ...": also for these, without glossy surfaces
+	@scripts/install-deps interchange
+	@bench/path $(BUILD) $(if $(SCENES),--scenes $(SCENES)) --out out/path.json
 bench: bench-build ## CPU time and memory of renders and their parts, compared with POV-Ray; CORPUS=DIR: also for the course's scenes
 	@mkdir -p out
 	@bench/whole_runs $(BUILD) $(SCENES) --out out/bench.json --runs $(or $(RUNS),3) $(if $(CORPUS),--corpus "$(CORPUS)" --samples --all)

@@ -94,12 +94,7 @@ class Drawing {
       say(fmt::format("warning: {} sample{} not finite; their light is missing\n",
                       path.state.dropped, path.state.dropped == 1 ? " was" : "s were"));
     }
-    RenderResult result;
-    result.image = std::move(path.image);
-    result.layers = std::move(path.layers);
-    result.status = path.status;
-    result.stats = path.stats;
-    return result;
+    return std::move(static_cast<RenderResult&>(path));
   }
 
   const Options& options_;

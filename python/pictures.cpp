@@ -175,12 +175,7 @@ RenderResult draw_paths(const LoadedScene& loaded, Picture& picture, double seco
                                 {.progress = go_on, .seconds = seconds});
   picture.options.samples = static_cast<int>(path.samples);
   dropped = path.state.dropped;
-  RenderResult result;
-  result.image = std::move(path.image);
-  result.layers = std::move(path.layers);
-  result.status = path.status;
-  result.stats = path.stats;
-  return result;
+  return std::move(static_cast<RenderResult&>(path));
 }
 
 std::unique_ptr<Picture> render_with(SceneState& state, const py::object& progress,

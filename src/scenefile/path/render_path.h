@@ -16,13 +16,10 @@ struct PathControl {
   const TraceScene* traced = nullptr;
 };
 
-struct PathResult {
+/// The image is linear, and denoised if options.denoise; layers that mode path does not have are 0.
+struct PathResult : RenderResult {
   PathState state;
-  Image image;                     ///< linear; denoised if options.denoise
-  std::vector<ImageLayer> layers;  ///< of options.layers that mode path has; others are 0
-  std::uint32_t samples = 0;       ///< per pixel; if cancelled the fewest
-  RenderStatus status = RenderStatus::complete;
-  RenderStats stats;
+  std::uint32_t samples = 0;  ///< per pixel; if cancelled the fewest
 };
 
 /// Renders the scene with options.samples per pixel, fewer if the time is over; all else as

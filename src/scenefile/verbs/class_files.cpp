@@ -464,11 +464,11 @@ class ClassBuilder {
     Listing listing;
     Lister(listing).add_class(folder_);
     drop_overwritten(listing.items);
+    const bool is_archive = !is_folder(folder_);
     std::set<std::string> paths;
     // In the archive of a class, their folders do not say whose they are.
     std::erase_if(listing.items, [&](const Item& item) {
-      const bool unknown =
-          item.outside && item.file.entries.size() == 1 && item.file.path == follow_links(folder_);
+      const bool unknown = is_archive && item.outside && item.file.entries.size() == 1;
       if (unknown) {
         paths.insert(item.file.path);
         result_.ignored.push_back({item.file.entries.front(), {}, item.reason});
@@ -483,7 +483,7 @@ class ClassBuilder {
       }
     }
     result_.paths.assign(paths.begin(), paths.end());
-    unwrap(listing.items, references_, !is_folder(folder_));
+    unwrap(listing.items, references_, is_archive);
     first_ = listing.items.data();
     std::vector<Top> tops = tops_of(listing, references_);
     if (is_one_student(tops, listing.items, references_, result_.one_student)) {

@@ -28,6 +28,7 @@ const std::map<std::string, std::set<std::string>> may_know = {
     {"import",
      {"base", "geometry", "scene", "asset", "export/flat_mesh.h", "export/phong_pbr.h",
       "format/json_parser.h", "format/text_places.h"}},
+    {"edit", {"base", "scene", "format"}},
     {"compare", {"base", "asset"}},
     {"io", {"base"}},
     {"grade", {"base", "scene", "geometry", "asset", "compare", "trace"}},
@@ -39,10 +40,10 @@ const std::map<std::string, std::set<std::string>> may_know = {
     {"explain", {"base", "scene", "geometry", "trace"}},
     {"verbs",
      {"base", "scene", "format", "asset", "geometry", "compare", "io", "placement", "trace", "path",
-      "explain", "grade", "gradebook", "export/codes.h", "import/codes.h", "view/codes.h"}},
+      "explain", "grade", "gradebook", "edit", "export/codes.h", "import/codes.h", "view/codes.h"}},
     {"viewer",
      {"base", "scene", "format", "geometry", "asset", "compare", "io", "placement", "trace", "path",
-      "view", "explain"}},
+      "view", "explain", "edit"}},
 };
 
 // Each library except the standard library and glm is used by a single .cpp file. fmt is allowed in

@@ -18,6 +18,11 @@ void Diagnostics::report(const Code& code, Severity severity, Location location,
   add({&code, severity, location, {}, std::move(message), std::move(notes)});
 }
 
+void Diagnostics::report(const Code& code, Location location, std::string message,
+                         std::optional<Correction> correction) {
+  add({&code, code.severity, location, {}, std::move(message), {}, std::move(correction)});
+}
+
 void Diagnostics::add(Diagnostic diagnostic) {
   Tally& tally = tallies_[diagnostic.code];
   const auto severity = static_cast<std::size_t>(diagnostic.severity);
@@ -25,6 +30,9 @@ void Diagnostics::add(Diagnostic diagnostic) {
   std::size_t bytes = diagnostic.message.size() + diagnostic.file.size();
   for (const std::string& note : diagnostic.notes) {
     bytes += note.size();
+  }
+  if (diagnostic.correction) {
+    bytes += diagnostic.correction->written.size() + diagnostic.correction->instead.size();
   }
   // The first of each code is always kept, so that no code goes unmentioned.
   const bool fits = tally.kept < max_per_code_ && bytes_ + bytes <= max_bytes_;

@@ -40,6 +40,13 @@ struct Code {
   std::optional<Severity> otherwise = std::nullopt;
 };
 
+/// What to write instead of a word of the file: the answer to "did you mean ...?", as data.
+struct Correction {
+  std::string
+      written;  ///< as it is in the file, at the place of the finding; without markup or quotes
+  std::string instead;  ///< unescaped
+};
+
 /// One finding.
 struct Diagnostic {
   const Code* code = nullptr;
@@ -48,6 +55,7 @@ struct Diagnostic {
   std::string file;     ///< empty: the scene file itself; else the mesh or texture as named there
   std::string message;  ///< one line of UTF-8; may hold input text, so escape it before a terminal
   std::vector<std::string> notes = {};  ///< more lines, such as the places searched for a file
+  std::optional<Correction> correction = std::nullopt;  ///< if a better word is known
 };
 
 /// An append-only list of findings with bounded memory: at most `limits.messages_per_code` of each
@@ -61,6 +69,9 @@ class Diagnostics {
   /// Adds a finding with another severity.
   void report(const Code& code, Severity severity, Location location, std::string message,
               std::vector<std::string> notes = {});
+  /// Adds a finding about a word that was probably meant to be another one.
+  void report(const Code& code, Location location, std::string message,
+              std::optional<Correction> correction);
   /// Adds a complete finding, for example one about another file.
   void add(Diagnostic diagnostic);
 

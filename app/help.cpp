@@ -47,7 +47,7 @@ const std::vector<Heading>& headings() {
         "--max-flip"}},
       {"Window", {"--window", "--trace", "--screenshot", "--frames", "--script"}},
       {"Input", {"--compat", "--asset-root", "--allow-outside", "--allow-missing", "--no-assets"}},
-      {"Findings", {"--strict", "--deny", "--allow"}},
+      {"Findings", {"--strict", "--deny", "--allow", "--fix", "--dry-run"}},
       {"Limits", {"--threads", "--limit", "--max-memory", "--timeout"}},
       {"Output", {"--output",       "--to",         "--store",     "--part",    "--missing",
                   "--write-scenes", "--video",      "--overwrite", "--heatmap", "--sheet",

@@ -9,11 +9,14 @@
 #include <fmt/format.h>
 
 #include <csignal>
+#include <utility>
 
 namespace scenefile::app {
 
-LoadedScene load_scene(const std::string& path, const Options& options, LoadDepth depth,
-                       bool allow_missing, Context& context) {
+namespace {
+
+LoadSettings settings_of(const Options& options, LoadDepth depth, bool allow_missing,
+                         Context& context) {
   LoadSettings settings = options.load;
   settings.depth = depth;
   settings.allow_missing = allow_missing;
@@ -22,6 +25,20 @@ LoadedScene load_scene(const std::string& path, const Options& options, LoadDept
   settings.for_each = [&](std::size_t count, const std::function<void(std::size_t)>& work) {
     for_each_index(count, options.render.threads, work);
   };
+  return settings;
+}
+
+}  // namespace
+
+LoadedScene load_scene_text(const std::string& path, std::string text, const Options& options,
+                            LoadDepth depth, bool allow_missing, Context& context) {
+  return scenefile::load_scene_text(
+      path, std::move(text), settings_of(options, depth, allow_missing, context), options.access);
+}
+
+LoadedScene load_scene(const std::string& path, const Options& options, LoadDepth depth,
+                       bool allow_missing, Context& context) {
+  const LoadSettings settings = settings_of(options, depth, allow_missing, context);
   LoadedScene scene = load_scene_file(path, settings, options.access);
   if (!scene.unreadable && writes_files(options)) {
     for (const UsedFile& file : used_files(scene, options.access, options.load.limits)) {

@@ -22,6 +22,10 @@ struct Outcome {
 LoadedScene load_scene(const std::string& path, const Options& options, LoadDepth depth,
                        bool allow_missing, Context& context);
 
+/// The same for the text that the file has or is to have.
+LoadedScene load_scene_text(const std::string& path, std::string text, const Options& options,
+                            LoadDepth depth, bool allow_missing, Context& context);
+
 /// Loads the scene with the assets that a picture with these options needs, and adds findings that
 /// depend on the options. Sets mode path for a scene without lights whose faces emit light, unless
 /// an option excludes it.

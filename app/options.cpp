@@ -384,9 +384,13 @@ std::string check_together(const Command& command, Options& options) {
   if (command.bit == for_convert) {
     return choose_format(options);
   }
-  if (command.bit == for_format && options.json && !options.check &&
+  const bool writes = command.bit == for_format
+                          ? !options.check
+                          : command.bit == for_check && options.fix && !options.dry_run;
+  if (writes && (options.json || options.sarif) &&
       std::count(options.arguments.begin(), options.arguments.end(), "-") != 0) {
-    return "the file and --json cannot both go to standard output";
+    return fmt::format("the file and --{} cannot both go to standard output",
+                       options.json ? "json" : "sarif");
   }
   if (command.bit == for_grade) {
     if (std::string wrong = check_grade(options); !wrong.empty()) {

@@ -120,6 +120,8 @@ struct Options {
   bool assets = true;
 
   bool check = false;  ///< only report what would change
+  bool fix = false;
+  bool dry_run = false;  ///< show what `fix` would change
   bool files = false;
   bool tree = false;
   bool json = false;

@@ -171,6 +171,14 @@ void bind_findings(py::module_& m) {
       .def_property_readonly("line", [](const Diagnostic& d) { return known(d.location.line); })
       .def_property_readonly("column", [](const Diagnostic& d) { return known(d.location.column); })
       .def_property_readonly("help", [](const Diagnostic& d) { return d.code->help; })
+      .def_property_readonly(
+          "correction",
+          [](const Diagnostic& d) -> py::object {
+            return d.correction
+                       ? py::object(py::make_tuple(d.correction->written, d.correction->instead))
+                       : py::object(py::none());
+          },
+          "What is written and what to write instead, if a better word is known; else None.")
       .def("__str__", &text_of)
       .def("__repr__",
            [](const Diagnostic& d) { return fmt::format("<Diagnostic {}>", text_of(d)); });

@@ -217,8 +217,7 @@ export class Editor {
 
   /** The correction that a finding proposes, with a function that applies it; null if there is none. */
   correctionOf(finding) {
-    const text = this.text;
-    const found = correct(text, offsetOf(text, finding.line, finding.column), finding.message);
+    const found = correct(this.text, finding);
     return found && { title: found.title, apply: () => this.#view.dispatch({ changes: found.changes, userEvent: 'input' }) };
   }
 

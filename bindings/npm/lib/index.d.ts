@@ -25,6 +25,17 @@ export interface Finding {
   column?: number;
   /** The file, if it is not the scene. */
   file?: string;
+  /** What is written, and what to write instead, if a better word is known. */
+  correction?: { written: string; instead: string; changes?: Change[] };
+}
+
+/** What is from a place to before another one becomes `text`. Places are those of findings. */
+export interface Change {
+  line: number;
+  column: number;
+  end_line: number;
+  end_column: number;
+  text: string;
 }
 
 export interface CheckResult {

@@ -242,7 +242,7 @@ function corrections(document, range) {
     if (finding.line === undefined || range.end.line < start.line || start.line < range.start.line) {
       continue;
     }
-    const found = correct(text, offsetAt(text, start), finding.message);
+    const found = correct(text, finding);
     if (found !== null) {
       const changes = found.changes.map(({ from, to, insert }) => ({ range: rangeAt(text, from, to), newText: insert }));
       actions.push({

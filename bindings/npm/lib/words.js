@@ -249,36 +249,23 @@ function aboutJson(text, from, to, name, vocabulary) {
   return vocabulary.json[here.definition]?.[name]?.about;
 }
 
-// `unknown element <difuse> in <object>; did you mean <diffuse>?`, `<transblok> was read as <transblock>`
-function correctionOf(message) {
-  const words =
-    /(?:<([^<>]+)>|"([^"]+)")[^;]*; did you mean (?:<([^<>]+)>|"?([\w.-]+)"?)\?/.exec(message) ??
-    /<([^<>]+)>() was read as <([^<>]+)>/.exec(message);
-  return words === null ? null : { wrong: words[1] ?? words[2], right: words[3] ?? words[4] };
-}
-
 /**
- * The correction that a finding proposes for the name at `offset`: `title`, and `changes` with the
- * places to replace, also in the end tag of an element. Null if it proposes none.
+ * The correction that a finding proposes: `title`, and `changes` with the places to replace. Null if
+ * it proposes none.
  */
-export function correct(text, offset, message) {
-  const found = correctionOf(message);
-  if (found === null) {
+export function correct(text, { correction }) {
+  if (!correction?.changes) {
     return null;
   }
-  const { wrong, right } = found;
-  const lineEnd = text.indexOf('\n', offset);
-  const at = text.indexOf(wrong, offset);
-  if (at < 0 || (lineEnd >= 0 && at > lineEnd)) {
-    return null;
-  }
-  const close = text[at - 1] === '<' ? text.indexOf(`</${wrong}>`, at) : -1;
-  const changes = (close >= 0 ? [at, close + 2] : [at]).map((from) => ({
-    from,
-    to: from + wrong.length,
-    insert: right,
-  }));
-  return { title: `Change ${wrong} to ${right}`, changes };
+  const { written, instead, changes } = correction;
+  return {
+    title: instead === '' ? `Remove ${written}` : `Change ${written} to ${changes[0].text}`,
+    changes: changes.map((change) => ({
+      from: offsetOf(text, change.line, change.column),
+      to: offsetOf(text, change.end_line, change.end_column),
+      insert: change.text,
+    })),
+  };
 }
 
 /** The offset of a finding: lines count from 1, columns from 1 in code points. */

@@ -216,11 +216,17 @@ void MaterialLoader::report_unknown(const std::string& mesh, const FileReference
     }
   }
   const std::string_view meant = nearest_name(name.name, known);
-  report(mtl_unknown_material, name.location, mesh,
-         fmt::format("no library defines the material {}; its faces have the material of the "
-                     "object{}",
-                     quoted(name.name),
-                     meant.empty() ? "" : fmt::format("; did you mean {}?", quoted(meant))));
+  diagnostics_.add(
+      {&mtl_unknown_material,
+       mtl_unknown_material.severity,
+       name.location,
+       mesh,
+       fmt::format("no library defines the material {}; its faces have the material of the "
+                   "object{}",
+                   quoted(name.name),
+                   meant.empty() ? "" : fmt::format("; did you mean {}?", quoted(meant))),
+       {},
+       correction(name.name, meant, known)});
 }
 
 FaceMaterial MaterialLoader::face_material(const std::string& mesh, const Library& library,

@@ -82,8 +82,15 @@ class MtlReader {
   }
 
  private:
-  void report(const Code& code, Location location, std::string message) {
-    diagnostics_.add({&code, code.severity, location, file_name_, std::move(message)});
+  void report(const Code& code, Location location, std::string message,
+              std::optional<Correction> correction = {}) {
+    diagnostics_.add({&code,
+                      code.severity,
+                      location,
+                      file_name_,
+                      std::move(message),
+                      {},
+                      std::move(correction)});
   }
 
   // False if the budget is spent.
@@ -339,7 +346,8 @@ class MtlReader {
       const std::string_view meant = nearest_name(keyword, known);
       report(mtl_unknown_keyword, location,
              fmt::format("unknown keyword {} is skipped{}", quoted(keyword),
-                         meant.empty() ? "" : fmt::format("; did you mean {}?", meant)));
+                         meant.empty() ? "" : fmt::format("; did you mean {}?", meant)),
+             correction(keyword, meant, known));
     }
     if (point_.known()) {
       report(mtl_leading_point, point_,

@@ -181,12 +181,15 @@ class ObjReader {
 
   const Counts& counts() const { return counts_; }
 
-  void report(const Code& code, Location location, std::string message) {
-    report(code, code.severity, location, std::move(message));
+  void report(const Code& code, Location location, std::string message,
+              std::optional<Correction> correction = {}) {
+    report(code, code.severity, location, std::move(message), std::move(correction));
   }
-  void report(const Code& code, Severity severity, Location location, std::string message) {
+  void report(const Code& code, Severity severity, Location location, std::string message,
+              std::optional<Correction> correction = {}) {
     errors_ += severity == Severity::error ? 1 : 0;
-    diagnostics_.add({&code, severity, location, file_name_, std::move(message)});
+    diagnostics_.add(
+        {&code, severity, location, file_name_, std::move(message), {}, std::move(correction)});
   }
 
   Mesh read() {
@@ -400,7 +403,8 @@ class ObjReader {
       const std::string_view meant = nearest_name(keyword, known);
       report(mesh_unknown_keyword, location,
              fmt::format("unknown keyword{} is skipped{}", may_quote_ ? " " + quoted(keyword) : "",
-                         meant.empty() ? "" : fmt::format("; did you mean {}?", meant)));
+                         meant.empty() ? "" : fmt::format("; did you mean {}?", meant)),
+             may_quote_ ? correction(keyword, meant, known) : std::nullopt);
     }
   }
 

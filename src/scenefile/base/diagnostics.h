@@ -42,9 +42,13 @@ struct Code {
 
 /// What to write instead of a word of the file: the answer to "did you mean ...?", as data.
 struct Correction {
-  std::string
-      written;  ///< as it is in the file, at the place of the finding; without markup or quotes
-  std::string instead;  ///< unescaped
+  /// As in the file, without markup, quotes and escapes. It is the first such word of the tag, of
+  /// the key and its value, or of the value that begins at the place of the finding.
+  std::string written;
+  /// Without escapes. The same as `written` if only its quotes or escapes are wrong; empty to
+  /// remove it.
+  std::string instead;
+  bool certain = true;  ///< false if another word is as likely, or the author has to choose
 };
 
 /// One finding.

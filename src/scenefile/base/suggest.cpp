@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 
 namespace scenefile {
 
@@ -44,6 +45,21 @@ std::size_t edits(std::string_view a, std::string_view b) {
   return d[a.size()][b.size()];
 }
 
+// The number of edits that make `name` of `word`.
+std::size_t distance(std::string_view word, std::string_view name) {
+  if (equal_ignoring_case(word, name)) {
+    return 0;
+  }
+  const bool cut_short = word.size() >= shortest_start && starts_with_ignoring_case(name, word);
+  return cut_short ? 1 : edits(word, name);
+}
+
+std::string digits_of(std::string_view word) {
+  std::string digits;
+  std::copy_if(word.begin(), word.end(), std::back_inserter(digits), is_digit);
+  return digits;
+}
+
 }  // namespace
 
 std::string_view nearest_name(std::string_view word, std::span<const std::string_view> known) {
@@ -59,14 +75,29 @@ std::string_view nearest_name(std::string_view word, std::span<const std::string
     if (name.size() > longest_word || word.size() < 2) {
       continue;
     }
-    const bool cut_short = word.size() >= shortest_start && starts_with_ignoring_case(name, word);
-    const std::size_t n = cut_short ? 1 : edits(word, name);
-    if (n < best_edits) {
+    if (const std::size_t n = distance(word, name); n < best_edits) {
       best = name;
       best_edits = n;
     }
   }
   return best;
+}
+
+std::optional<Correction> correction(std::string_view word, std::string_view instead,
+                                     std::span<const std::string_view> known) {
+  if (instead.empty()) {
+    return std::nullopt;
+  }
+  Correction found{std::string(word), std::string(instead)};
+  // A translated name has no distance, and no rival.
+  if (!known.empty() && word.size() <= longest_word && instead.size() <= longest_word) {
+    const std::size_t least = distance(word, instead);
+    const bool rival = std::any_of(known.begin(), known.end(), [&](std::string_view name) {
+      return name != instead && name.size() <= longest_word && distance(word, name) <= least;
+    });
+    found.certain = !rival && digits_of(word) == digits_of(instead);
+  }
+  return found;
 }
 
 }  // namespace scenefile

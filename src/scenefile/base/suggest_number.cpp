@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -132,7 +133,37 @@ std::optional<double> value_before_unit(std::string_view text) {
   return unit && !hexadecimal && !radians ? std::optional(number.value) : std::nullopt;
 }
 
+// Whether only one number can be meant.
+bool is_certain(std::string_view text) {
+  constexpr std::string_view signs = "+-";
+  const std::size_t comma = text.find(',');
+  const bool thousands =
+      comma != std::string_view::npos && text.find('.') == text.npos && text.size() - comma == 4 &&
+      std::all_of(text.begin() + static_cast<std::ptrdiff_t>(comma) + 1, text.end(), is_digit);
+  const bool signed_twice =
+      text.size() > 1 && signs.find(text[0]) != signs.npos && signs.find(text[1]) != signs.npos;
+  // A mark instead of a digit: the backtick is next to 1.
+  const std::size_t mark = text.find_first_of("`:;)]}");
+  const bool stray =
+      mark != text.npos && !(text[mark] == ';' && mark > 0 && is_digit(text[mark - 1]));
+  if (thousands || signed_twice || stray) {
+    return false;
+  }
+  std::string letters;
+  std::copy_if(text.begin(), text.end(), std::back_inserter(letters), is_letter);
+  constexpr std::string_view harmless[] = {"", "e", "d", "f", "ef", "deg", "degree", "degrees"};
+  return std::find(std::begin(harmless), std::end(harmless), lower_case(letters)) !=
+             std::end(harmless) ||
+         hexadecimal_value(text);
+}
+
 }  // namespace
+
+std::optional<Correction> number_correction(std::string_view text, std::string_view number) {
+  return number.empty() ? std::nullopt
+                        : std::optional(Correction{std::string(text), std::string(number),
+                                                   is_certain(trimmed(text))});
+}
 
 std::string nearest_number(std::string_view text) {
   if (text.size() > longest_number) {

@@ -136,12 +136,16 @@ std::optional<std::size_t> read_type(JsonContext& context, const JsonFields& fie
   }
   const std::string_view near = nearest_name(std::string_view(*name).substr(0, 64), names);
   const bool misspelled = !near.empty();
-  context.diagnostics.report(
-      unknown, misspelled || !is_identifier(*name) ? Severity::error : unknown.severity,
-      context.place(key + 1),
-      fmt::format(
-          "unknown {} type {}{}", what, quoted(*name),
-          misspelled ? fmt::format("; did you mean \"{}\"?", near) : type_hint(*name, names)));
+  context.diagnostics.add({&unknown,
+                           misspelled || !is_identifier(*name) ? Severity::error : unknown.severity,
+                           context.place(key + 1),
+                           {},
+                           fmt::format("unknown {} type {}{}", what, quoted(*name),
+                                       misspelled ? fmt::format("; did you mean \"{}\"?", near)
+                                                  : type_hint(*name, names)),
+                           {},
+                           misspelled ? correction(*name, near, names)
+                                      : correction(*name, translated_name(*name, names))});
   const auto meant = std::find(names.begin(), names.end(), near);
   return misspelled ? std::optional<std::size_t>(meant - names.begin()) : std::nullopt;
 }

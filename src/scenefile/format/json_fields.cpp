@@ -62,14 +62,26 @@ bool convert(JsonContext& context, JsonIndex key, JsonIndex item, float& out) {
   return true;
 }
 
-// A hint for a number in quotes; empty for other values.
-std::string number_hint(const JsonTape& tape, JsonIndex item) {
+// The number that a string was meant to be; empty for other values.
+std::string number_in_quotes(const JsonTape& tape, JsonIndex item) {
   const std::string text = tape.is_string(item) ? tape.string(item) : std::string();
   const ParsedNumber number = parse_number(text);
-  const std::string meant = number.error == NumberError::none
-                                ? number_text(static_cast<float>(number.value))
-                                : nearest_number(text);
-  return meant.empty() ? meant : fmt::format("; write {}", meant);
+  return number.error == NumberError::none ? number_text(static_cast<float>(number.value))
+                                           : nearest_number(text);
+}
+
+// Reports, at `place`, a value that should be a number or consist of numbers.
+void report_no_number(JsonContext& context, JsonIndex place, JsonIndex item,
+                      std::string_view message) {
+  const std::string meant = number_in_quotes(context.tape, item);
+  context.report(json_wrong_type, place,
+                 meant.empty() ? std::string(message) : fmt::format("{}; write {}", message, meant),
+                 number_correction(context.tape.string(item), meant));
+}
+
+std::string type_message(const JsonContext& context, JsonIndex key, std::string_view expected) {
+  return fmt::format("{} must be {}, found {}", key_name(context, key), expected,
+                     describe_json(context.tape, key + 1));
 }
 
 // Reads an array of exactly `out.size()` numbers.
@@ -99,9 +111,9 @@ bool check_numbers(JsonContext& context, JsonIndex key, std::size_t count,
     return false;
   }
   if (const JsonIndex other = first_other(tape, value); other != tape.end(value)) {
-    context.report(json_wrong_type, other,
-                   fmt::format("{} must be {}, found {} in it{}", key_name(context, key), expected,
-                               describe_json(tape, other), number_hint(tape, other)));
+    report_no_number(context, other, other,
+                     fmt::format("{} must be {}, found {} in it", key_name(context, key), expected,
+                                 describe_json(tape, other)));
     return false;
   }
   const std::size_t found = count_elements(tape, value);
@@ -158,12 +170,14 @@ void JsonFields::settle_unknown(JsonIndex key) {
   const std::string_view usual = lacked(translated_name(word, vocabulary_.keys));
   const std::string_view advice = json_key_advice(vocabulary_.what, word);
   const std::string_view meant = near.empty() ? usual : near;
-  context_.report(near.empty() ? json_unknown_key : json_misspelled_key, key,
-                  fmt::format("unknown key {} in {}{}{}", quoted(name), vocabulary_.what,
-                              near.empty() ? " is ignored" : "",
-                              !meant.empty()    ? fmt::format("; did you mean \"{}\"?", meant)
-                              : !advice.empty() ? fmt::format("; {}", advice)
-                                                : ""));
+  context_.report(
+      near.empty() ? json_unknown_key : json_misspelled_key, key,
+      fmt::format("unknown key {} in {}{}{}", quoted(name), vocabulary_.what,
+                  near.empty() ? " is ignored" : "",
+                  !meant.empty()    ? fmt::format("; did you mean \"{}\"?", meant)
+                  : !advice.empty() ? fmt::format("; {}", advice)
+                                    : ""),
+      correction(word, meant, near.empty() ? std::vector<std::string_view>() : missing()));
   if (!near.empty()) {
     keys_[place_of(near)] = key;
   }
@@ -177,6 +191,16 @@ std::size_t JsonFields::place_of(std::string_view name) const {
 // The name, unless the object already has that key or the vocabulary does not.
 std::string_view JsonFields::lacked(std::string_view name) const {
   return name.empty() || has(place_of(name)) ? std::string_view() : name;
+}
+
+std::vector<std::string_view> JsonFields::missing() const {
+  std::vector<std::string_view> names;
+  for (std::size_t i = 0; i < vocabulary_.keys.size(); ++i) {
+    if (!has(i)) {
+      names.push_back(vocabulary_.keys[i]);
+    }
+  }
+  return names;
 }
 
 // Returns false if the vocabulary does not have the key.
@@ -233,16 +257,13 @@ std::string describe_json(const JsonTape& tape, JsonIndex value) {
   }
 }
 
-void report_json_type(JsonContext& context, JsonIndex key, std::string_view expected,
-                      std::string_view hint) {
-  context.report(json_wrong_type, key,
-                 fmt::format("{} must be {}, found {}{}", key_name(context, key), expected,
-                             describe_json(context.tape, key + 1), hint));
+void report_json_type(JsonContext& context, JsonIndex key, std::string_view expected) {
+  context.report(json_wrong_type, key, type_message(context, key, expected));
 }
 
 std::optional<float> number_value(JsonContext& context, JsonIndex key) {
   if (!context.tape.is_number(key + 1)) {
-    report_json_type(context, key, "a number", number_hint(context.tape, key + 1));
+    report_no_number(context, key, key + 1, type_message(context, key, "a number"));
     return std::nullopt;
   }
   float value = 0;

@@ -16,6 +16,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace scenefile {
 
@@ -29,8 +31,9 @@ struct JsonContext {
   Location place(JsonIndex item) {
     return places.at(repaired.original_offset(tape.items[item].offset));
   }
-  void report(const Code& code, JsonIndex item, std::string message) {
-    diagnostics.report(code, place(item), std::move(message));
+  void report(const Code& code, JsonIndex item, std::string message,
+              std::optional<Correction> correction = {}) {
+    diagnostics.report(code, place(item), std::move(message), std::move(correction));
   }
 
   const JsonTape& tape;
@@ -108,6 +111,7 @@ class JsonFields {
   void settle_unknown(JsonIndex key);
   std::size_t place_of(std::string_view name) const;
   std::string_view lacked(std::string_view name) const;
+  std::vector<std::string_view> missing() const;
 
   JsonContext& context_;
   JsonIndex object_;
@@ -119,9 +123,8 @@ class JsonFields {
 /// A description for messages: "an array of 3 numbers", "the number 5", "a string".
 std::string describe_json(const JsonTape& tape, JsonIndex value);
 
-/// Reports a value of the wrong type. `hint` is added at the end of the message.
-void report_json_type(JsonContext& context, JsonIndex key, std::string_view expected,
-                      std::string_view hint = {});
+/// Reports a value of the wrong type.
+void report_json_type(JsonContext& context, JsonIndex key, std::string_view expected);
 
 // The value of a key; nullopt, and a report, if it has another type.
 std::optional<float> number_value(JsonContext& context, JsonIndex key);

@@ -234,7 +234,8 @@ class SceneReader {
     context_.report(
         json_unknown_template, key,
         fmt::format("group {} is empty, and no template group has this name{}", quoted(name),
-                    near.empty() ? "" : fmt::format("; did you mean {}?", quoted(near))));
+                    near.empty() ? "" : fmt::format("; did you mean {}?", quoted(near))),
+        correction(name, near, known));
   }
 
   void report_ignored_keys(const JsonFields& fields, const std::string& name) {

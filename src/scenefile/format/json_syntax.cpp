@@ -36,6 +36,7 @@ struct Finding {
   std::size_t offset = 0;
   std::string message;
   Repair repair;
+  std::optional<Correction> correction;
 };
 
 // An exponent such as e12 or E-3, possibly incomplete: e, e+.
@@ -45,8 +46,7 @@ bool is_exponent(std::string_view text) {
   return std::all_of(text.begin(), text.end(), is_digit);
 }
 
-// "; write 0.6", if the intended number is clear. Keeps the author's spelling if only digits are
-// missing.
+// The intended number, if it is clear. Keeps the author's spelling if only digits are missing.
 std::string corrected_number(std::string_view word) {
   constexpr std::size_t longest = 40;
   const bool minus = word.starts_with('-');
@@ -63,14 +63,13 @@ std::string corrected_number(std::string_view word) {
   const bool digits =
       only_digits(whole) && only_digits(fraction) && !(whole.empty() && fraction.empty());
   if (!digits || !is_exponent(exponent) || word.size() > longest) {
-    const std::string meant = nearest_number(word);
-    return meant.empty() ? meant : fmt::format("; write {}", meant);
+    return nearest_number(word);
   }
   if (exponent.find_first_of("0123456789") == std::string_view::npos) {
     exponent = {};
   }
   whole.remove_prefix(std::min(whole.find_first_not_of('0'), whole.size()));
-  return fmt::format("; write {}{}.{}{}", minus ? "-" : "", whole.empty() ? "0" : whole,
+  return fmt::format("{}{}.{}{}", minus ? "-" : "", whole.empty() ? "0" : whole,
                      fraction.empty() ? "0" : fraction, exponent);
 }
 
@@ -229,12 +228,14 @@ class Explainer {
       f.message = fmt::format("comma before the closing {}; remove it, or write what should follow",
                               found());
       f.repair = {previous, " "};
+      f.correction = Correction{",", ""};
       return true;
     }
     if (found() == ',' && (error_.fault == JsonFault::value || error_.fault == JsonFault::key)) {
       f.message = after_comma ? "two commas in a row; remove one, or write what is missing between"
                               : "a comma before the first member or element; remove it";
       f.repair = {at_, " "};
+      f.correction = Correction{",", "", !after_comma};
       return true;
     }
     return false;
@@ -252,11 +253,20 @@ class Explainer {
     }
     f.code = &json_number;
     f.offset = static_cast<std::size_t>(word.data() - text_.data());
-    f.message = is_special(word) ? fmt::format("JSON has no {}; write a number", quoted(word))
-                                 : fmt::format("{} is not a JSON number{}", quoted(word),
-                                               corrected_number(word));
+    if (is_special(word)) {
+      f.message = fmt::format("JSON has no {}; write a number", quoted(word));
+    } else {
+      explain_number(word, f);
+    }
     f.repair = {f.offset, fmt::format("{:<{}}", 0, word.size()), true};
     return true;
+  }
+
+  static void explain_number(std::string_view word, Finding& f) {
+    const std::string meant = corrected_number(word);
+    f.message = fmt::format("{} is not a JSON number{}", quoted(word),
+                            meant.empty() ? meant : fmt::format("; write {}", meant));
+    f.correction = number_correction(word, meant);
   }
 
   // Whether the fault is inside a word that was meant as a number.
@@ -294,7 +304,7 @@ class Explainer {
     const std::string_view number = text_.substr(before, at_ + word.size() - before);
     f.code = &json_number;
     f.offset = before;
-    f.message = fmt::format("{} is not a JSON number{}", quoted(number), corrected_number(number));
+    explain_number(number, f);
     f.repair = {before, fmt::format("{:<{}}", 0, number.size()), true};
     return true;
   }
@@ -304,15 +314,22 @@ class Explainer {
     if (found() == '\'') {
       f.message = "strings and keys must be in double quotes, not in single quotes";
       f.repair = {at_, in_double_quotes()};
+      if (const std::size_t size = f.repair.text.size(); size > 1) {
+        const std::string_view string = text_.substr(at_ + 1, size - 2);
+        f.correction = correction(string, string);
+      }
     } else if (!word.empty() && error_.fault == JsonFault::key) {
       const std::size_t before = text_.find_last_not_of(" \t\r\n", at_ == 0 ? 0 : at_ - 1);
       const bool is_list = before != std::string_view::npos && text_[before] == '{' &&
                            parse_number(word).error == NumberError::none;
       f.message = is_list ? std::string("numbers in { }; a list of numbers is written in [ ]")
                           : fmt::format("the key {} must be in double quotes", quoted(word));
+      if (!is_list && word.data() == text_.data() + at_) {
+        f.correction = correction(word, word);
+      }
     } else if (!word.empty() && error_.fault == JsonFault::value) {
       f.offset = static_cast<std::size_t>(word.data() - text_.data());
-      f.message = literal(word);
+      explain_word(word, f);
     } else {
       return false;
     }
@@ -328,16 +345,19 @@ class Explainer {
     return fmt::format("\"{}\"", text_.substr(at_ + 1, end - at_ - 1));
   }
 
-  static std::string literal(std::string_view word) {
+  static void explain_word(std::string_view word, Finding& f) {
     constexpr std::pair<std::string_view, std::string_view> spellings[] = {
         {"True", "true"}, {"TRUE", "true"}, {"False", "false"}, {"FALSE", "false"},
         {"None", "null"}, {"NULL", "null"}, {"Null", "null"},   {"nil", "null"}};
     for (const auto& [wrong, right] : spellings) {
       if (word == wrong) {
-        return fmt::format("{} is written {} in JSON", wrong, right);
+        f.message = fmt::format("{} is written {} in JSON", wrong, right);
+        f.correction = correction(word, right);
+        return;
       }
     }
-    return fmt::format("{} is not a value; strings must be in double quotes", quoted(word));
+    f.message = fmt::format("{} is not a value; strings must be in double quotes", quoted(word));
+    f.correction = correction(word, word);
   }
 
   bool by_bracket(Finding& f) {
@@ -374,9 +394,11 @@ class Explainer {
     } else if (error_.fault == JsonFault::colon && found() == '=') {
       f.message = "a key is followed by a colon, not by =";
       f.repair = {at_, ":"};
+      f.correction = Correction{"=", ":"};
     } else if (found() == ';') {
       f.message = "members and elements are separated by commas, not by semicolons";
       f.repair = {at_, ","};
+      f.correction = Correction{";", ","};
     } else if (std::string_view("+-*/^").find(found()) != std::string_view::npos) {
       f.message = "JSON does not calculate; write the result";
     } else if (const std::string hint = bracket_hint(); !hint.empty()) {
@@ -385,6 +407,8 @@ class Explainer {
       f.offset = before();
       f.message = "expected a comma after this";
       f.repair = {at_ - 1, ","};
+      const std::string last(1, text_[f.offset]);
+      f.correction = Correction{last, last + ","};
     }
     return true;
   }
@@ -494,10 +518,15 @@ class NumberRepair {
     }
     if (before != after) {
       const std::string_view part = text_.substr(before ? at - 1 : at, 2);
-      diagnostics_.report(json_number, Severity::warning, places_.at(at),
-                          fmt::format("a number with {} is not JSON; it is read with a zero {} the "
-                                      "point, as by the course's programs",
-                                      quoted(part), before ? "after" : "before"));
+      diagnostics_.add({&json_number,
+                        Severity::warning,
+                        places_.at(at),
+                        {},
+                        fmt::format("a number with {} is not JSON; it is read with a zero {} the "
+                                    "point, as by the course's programs",
+                                    quoted(part), before ? "after" : "before"),
+                        {},
+                        Correction{".", before ? ".0" : "0."}});
     }
   }
 
@@ -528,7 +557,8 @@ void report_json_error(const JsonError& error, std::string_view text, const Limi
   const RepairedJson as_written{std::string(text), {}, {}};
   Explainer explainer(error, as_written, text, limits);
   Finding finding = explainer.explain();
-  diagnostics.report(*finding.code, explainer.place(finding.offset), std::move(finding.message));
+  diagnostics.report(*finding.code, explainer.place(finding.offset), std::move(finding.message),
+                     std::move(finding.correction));
 }
 
 bool recover_json(JsonError error, std::string_view text, const Limits& limits,
@@ -546,7 +576,7 @@ bool recover_json(JsonError error, std::string_view text, const Limits& limits,
     Finding finding = explainer.explain();
     const Location place = explainer.place(finding.offset);
     if (place.line != last.line || finding.message != last.message) {
-      diagnostics.report(*finding.code, place, finding.message);
+      diagnostics.report(*finding.code, place, finding.message, std::move(finding.correction));
     }
     last = {place.line, std::move(finding.message)};
     if (finding.repair.text.empty() || fault == max_faults) {

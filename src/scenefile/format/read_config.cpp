@@ -173,7 +173,8 @@ void report_unknown(const IniEntry& entry, const std::string& name, Diagnostics&
   diagnostics.report(
       config_unknown_key, entry.key_place,
       fmt::format("unknown key {} has no effect{}", shown(name),
-                  nearest.empty() ? "" : fmt::format("; did you mean {}?", shown(nearest))));
+                  nearest.empty() ? "" : fmt::format("; did you mean {}?", shown(nearest))),
+      correction(name, nearest, known));
 }
 
 // Whether a key or section is one of a configuration. Only then do findings show the text.

@@ -168,7 +168,8 @@ void read_type(const XmlContext& context, Location place, std::string_view word,
     if (word != light_words[i]) {
       context.diagnostics.report(
           xml_name_case, place,
-          fmt::format("light type {} was read as {}", quoted(word), light_words[i]));
+          fmt::format("light type {} was read as {}", quoted(word), light_words[i]),
+          correction(word, light_words[i]));
     }
     return;
   }
@@ -182,7 +183,8 @@ void read_type(const XmlContext& context, Location place, std::string_view word,
       xml_light_type, place,
       fmt::format(
           "unknown light type {}{}", quoted(word),
-          near.empty() ? "; the types are point, directional, spot and area" : did_you_mean(near)));
+          near.empty() ? "; the types are point, directional, spot and area" : did_you_mean(near)),
+      correction(word, near, usual.empty() ? light_words : std::span<const std::string_view>()));
 }
 
 void read_id(const XmlContext& context, Location place, std::string_view word, Light& light) {
@@ -364,7 +366,8 @@ const XmlAttribute* find_file(const XmlContext& context, const XmlTag& tag) {
   }
   context.report(xml_alias_attribute, *found,
                  fmt::format("attribute {} of {} was read as file", escaped(found->name, 40),
-                             element_text(tag.name)));
+                             element_text(tag.name)),
+                 correction(found->name, "file"));
   return found;
 }
 
@@ -457,7 +460,8 @@ void report_case(const XmlContext& context, const XmlAttribute& attribute,
   if (attribute.value != canonical) {
     context.report(
         xml_name_case, attribute,
-        fmt::format("{} {} was read as {}", attribute.name, quoted(attribute.value), canonical));
+        fmt::format("{} {} was read as {}", attribute.name, quoted(attribute.value), canonical),
+        correction(attribute.value, canonical));
   }
 }
 
@@ -471,17 +475,20 @@ std::optional<ObjectType> read_type(const XmlContext& context, const XmlAttribut
   const std::string type = quoted(attribute.value);
   const std::size_t shape = index_of(shape_words, attribute.value);
   if (near.empty()) {
+    const std::string_view usual = translated_name(attribute.value, type_names);
     const std::string hint =
         shape == shape_words.size()
-            ? did_you_mean(translated_name(attribute.value, type_names))
+            ? did_you_mean(usual)
             : fmt::format("; write type=\"primitive\" name=\"{}\"", shape_words[shape]);
     context.report(
         xml_unknown_object_type, attribute,
         fmt::format("object type {} is not part of the format, so the object was ignored{}", type,
-                    hint));
+                    hint),
+        correction(attribute.value, shape == shape_words.size() ? usual : std::string_view()));
   } else {
     context.report(xml_object_type, attribute,
-                   fmt::format("unknown object type {}{}", type, did_you_mean(near)));
+                   fmt::format("unknown object type {}{}", type, did_you_mean(near)),
+                   correction(attribute.value, near, type_names));
     return static_cast<ObjectType>(index_of(type_names, near));
   }
   return std::nullopt;
@@ -508,7 +515,8 @@ const XmlAttribute* find_in_any_case(const XmlContext& context, const XmlTag& ta
   for (const XmlAttribute& attribute : tag.attributes) {
     if (equal_ignoring_case(attribute.name, name)) {
       context.report(xml_name_case, attribute,
-                     fmt::format("attribute {} of <object> was read as {}", attribute.name, name));
+                     fmt::format("attribute {} of <object> was read as {}", attribute.name, name),
+                     correction(attribute.name, name));
       return &attribute;
     }
   }
@@ -577,7 +585,8 @@ void settle_others(const XmlContext& context, const XmlTag& tag, Found& found) {
     } else {
       context.report(xml_misspelled_attribute, *attribute,
                      fmt::format("unknown attribute {} of <object>{}", escaped(attribute->name, 40),
-                                 did_you_mean(near)));
+                                 did_you_mean(near)),
+                     correction(attribute->name, near, missing_names(found)));
     }
     (meant == "type" ? found.type : meant == "name" ? found.name : found.filename) = attribute;
   }
@@ -598,7 +607,8 @@ void settle_mesh_file(const XmlContext& context, Found& found) {
     found.others.clear();
     context.report(xml_alias_attribute, *found.filename,
                    fmt::format("attribute {} of <object> was read as filename",
-                               escaped(found.filename->name, 40)));
+                               escaped(found.filename->name, 40)),
+                   correction(found.filename->name, "filename"));
   }
 }
 
@@ -662,20 +672,23 @@ std::optional<Shape> read_shape(const XmlContext& context, const XmlTag& tag,
     const std::string_view near = nearest_name(object.name, shape_words);
     const std::string shape = quoted(object.name);
     if (near.empty()) {
+      const std::string_view usual = translated_name(object.name, shape_words);
       context.diagnostics.report(
           xml_unknown_shape, object.name_place,
           fmt::format("shape {} is not part of the format ({}); it is not drawn{}", shape,
-                      fmt::join(shape_words, ", "),
-                      did_you_mean(translated_name(object.name, shape_words))));
+                      fmt::join(shape_words, ", "), did_you_mean(usual)),
+          correction(object.name, usual));
       return std::nullopt;
     }
     context.diagnostics.report(xml_misspelled_shape, object.name_place,
-                               fmt::format("unknown shape {}{}", shape, did_you_mean(near)));
+                               fmt::format("unknown shape {}{}", shape, did_you_mean(near)),
+                               correction(object.name, near, shape_words));
     i = index_of(shape_words, near);
   } else if (object.name != shape_words[i]) {
     context.diagnostics.report(
         xml_name_case, object.name_place,
-        fmt::format("name {} was read as {}", quoted(object.name), shape_words[i]));
+        fmt::format("name {} was read as {}", quoted(object.name), shape_words[i]),
+        correction(object.name, shape_words[i]));
   }
   const auto shape = static_cast<Shape>(i);
   if (shape == Shape::mesh && object.filename.empty()) {

@@ -90,10 +90,12 @@ void report_unknown_element(const XmlContext& context, const XmlTag& tag, std::s
                             std::span<const FieldName> names) {
   const std::string where = element_text(block);
   if (is_known(tag.name)) {
-    const std::string meant = did_you_mean(translated(tag.name, names), "<>");
+    const std::string_view usual = translated(tag.name, names);
+    const std::string meant = did_you_mean(usual, "<>");
     context.report(xml_misplaced_element, tag,
                    fmt::format("{} does not belong in {}; it was ignored{}", element_text(tag.name),
-                               where, meant.empty() ? home_of(tag.name) : meant));
+                               where, meant.empty() ? home_of(tag.name) : meant),
+                   correction(tag.name, usual));
     return;
   }
   const auto* const shape =
@@ -108,14 +110,17 @@ void report_unknown_element(const XmlContext& context, const XmlTag& tag, std::s
   }
   const std::string_view near = nearest_field(tag.name, names);
   if (near.empty()) {
+    const std::string_view usual = translated(tag.name, names);
     context.report(xml_unknown_element, tag,
                    fmt::format("unknown element {} in {}; it was ignored{}", element_text(tag.name),
-                               where, did_you_mean(translated(tag.name, names), "<>")));
+                               where, did_you_mean(usual, "<>")),
+                   correction(tag.name, usual));
     return;
   }
   context.report(xml_misspelled_element, tag,
                  fmt::format("unknown element {} in {}{}", element_text(tag.name), where,
-                             did_you_mean(near, "<>")));
+                             did_you_mean(near, "<>")),
+                 correction(tag.name, near, words_of(names)));
 }
 
 std::optional<std::size_t> find_field(const XmlContext& context, const XmlTag& tag,
@@ -126,7 +131,8 @@ std::optional<std::size_t> find_field(const XmlContext& context, const XmlTag& t
         context.report(
             xml_alias_element, tag,
             fmt::format("{} in {} was read as {}", element_text(tag.name), element_text(block),
-                        element_text(canonical_name(names, n.field))));
+                        element_text(canonical_name(names, n.field))),
+            correction(tag.name, canonical_name(names, n.field)));
       }
       return n.field;
     }
@@ -135,7 +141,8 @@ std::optional<std::size_t> find_field(const XmlContext& context, const XmlTag& t
     if (equal_ignoring_case(n.name, tag.name)) {
       context.report(xml_name_case, tag,
                      fmt::format("{} in {} was read as {}", element_text(tag.name),
-                                 element_text(block), element_text(n.name)));
+                                 element_text(block), element_text(n.name)),
+                     correction(tag.name, n.name));
       return n.field;
     }
   }

@@ -123,7 +123,8 @@ void XmlReferences::resolve_empty(const XmlContext& context, Scene& scene,
     context.diagnostics.report(
         xml_empty_tree, use.place,
         fmt::format("the tree {} is empty, and no master has that name{}", quoted(node.name),
-                    near.empty() ? "" : did_you_mean(quoted(near))));
+                    near.empty() ? "" : did_you_mean(quoted(near))),
+        correction(node.name, near, masters));
   }
 }
 
@@ -157,7 +158,8 @@ void XmlReferences::resolve_root(const XmlContext& context, Scene& scene,
   if (found != templates.end()) {
     Node& node = scene.nodes[*found];
     context.diagnostics.report(xml_name_case, node.location,
-                               fmt::format("the tree {} was read as root", quoted(node.name)));
+                               fmt::format("the tree {} was read as root", quoted(node.name)),
+                               correction(node.name, "root"));
     scene.nodes[scene.root].children = std::exchange(node.children, {});
     scene.nodes[scene.root].location = node.location;
     templates.erase(found);

@@ -246,14 +246,16 @@ bool SceneBuilder::open_document(const XmlTag& tag) {
     const std::string_view near = nearest_name(tag.name, {&scenefile, 1});
     context_.report(xml_root_element, tag,
                     fmt::format("the file is not a scene: expected <scenefile>, found {}{}",
-                                element_text(tag.name), did_you_mean(near, "<>")));
+                                element_text(tag.name), did_you_mean(near, "<>")),
+                    correction(tag.name, near));
     if (near.empty()) {
       stopped_ = true;
       return false;
     }
   } else if (tag.name != "scenefile") {
     context_.report(xml_name_case, tag,
-                    fmt::format("{} was read as <scenefile>", element_text(tag.name)));
+                    fmt::format("{} was read as <scenefile>", element_text(tag.name)),
+                    correction(tag.name, "scenefile"));
   }
   for (const XmlAttribute& attribute : tag.attributes) {
     if (attribute.name == "xmlns") {
@@ -378,7 +380,8 @@ bool SceneBuilder::open_in_tree(const XmlTag& tag) {
   }
   if (!nearest_name(tag.name, {&transblock, 1}).empty()) {
     context_.report(xml_misspelled_transblock, tag,
-                    fmt::format("{} was read as <transblock>", element_text(tag.name)));
+                    fmt::format("{} was read as <transblock>", element_text(tag.name)),
+                    correction(tag.name, transblock));
     return open_transblock(tag);
   }
   if (tag.name != "object") {

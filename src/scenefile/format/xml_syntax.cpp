@@ -35,6 +35,7 @@ struct SyntaxCause {
   const Code* code;
   std::size_t at;  //< offset in the text
   std::string message;
+  std::optional<Correction> correction = std::nullopt;
 };
 
 // The name at the start of the text; empty if there is none.
@@ -126,8 +127,8 @@ Cause closed_twice(std::string_view text, std::size_t at) {
   const std::string shown = escaped(name, 40);
   return SyntaxCause{
       &xml_syntax, at,
-      fmt::format("</{0}> has no opening tag: <{0}> is already closed by its />; remove it",
-                  shown)};
+      fmt::format("</{0}> has no opening tag: <{0}> is already closed by its />; remove it", shown),
+      Correction{std::string(name), ""}};
 }
 
 // A closing tag whose opening tag lacks its <, and so was read as text.
@@ -220,19 +221,29 @@ bool holds_elements(std::string_view name) {
              structure_elements.end();
 }
 
+// The name of the closing tag at the offset.
+std::string_view closing_name(std::string_view text, std::size_t at) {
+  const std::string_view rest = text.substr(at);
+  return name_at(rest.substr(rest.starts_with("</") ? 2 : 0));
+}
+
+// Whether the closing tag was probably meant to close the innermost element.
+bool closes_inner(std::string_view closing, std::span<const OpenElement> open) {
+  return !open.empty() && !nearest_name(closing, std::span(&open.back().name, 1)).empty() &&
+         std::none_of(open.begin(), open.end(),
+                      [&](const OpenElement& e) { return e.name == closing; });
+}
+
 std::string mismatch_message(std::string_view text, std::size_t at,
                              std::span<const OpenElement> open) {
-  std::string_view rest = text.substr(at);
-  rest.remove_prefix(rest.starts_with("</") ? 2 : 0);
-  const std::string closing = escaped(name_at(rest), 40);
+  const std::string_view name = closing_name(text, at);
+  const std::string closing = escaped(name, 40);
   if (open.empty()) {
     return fmt::format("</{0}> has no opening tag <{0}>", closing);
   }
   const OpenElement& inner = open.back();
-  const bool outer = std::any_of(open.begin(), open.end(),
-                                 [&](const OpenElement& e) { return e.name == name_at(rest); });
-  if (!outer && !nearest_name(name_at(rest), std::span(&inner.name, 1)).empty()) {
-    return misspelled_end(name_at(rest), inner);
+  if (closes_inner(name, open)) {
+    return misspelled_end(name, inner);
   }
   const std::string_view slash =
       holds_elements(inner.name) ? "" : ", or a / in front of the > that ends its tag";
@@ -372,6 +383,18 @@ std::string message_of(const XmlFault& fault, std::string_view text, std::size_t
       break;
   }
   return fmt::format("{} ({})", token_message(text, at), fault.message);
+}
+
+// The correction that the message of the fault states.
+std::optional<Correction> correction_of(const XmlFault& fault, std::string_view text,
+                                        std::size_t at, std::span<const OpenElement> open) {
+  if (fault.kind == SyntaxFault::tag_mismatch && closes_inner(closing_name(text, at), open)) {
+    return correction(closing_name(text, at), open.back().name);
+  }
+  if (fault.kind == SyntaxFault::invalid_token && text.substr(at).starts_with('&')) {
+    return Correction{"&", "&"};
+  }
+  return std::nullopt;
 }
 
 // Whether Expat accepts the character in the name of an entity.
@@ -541,10 +564,11 @@ void report_syntax(const XmlFault& fault, std::string_view text, std::span<const
   }
   const std::size_t at = exact_place(fault.kind, text, fault.at);
   if (const std::optional<SyntaxCause> cause = find_cause(fault.kind, text, at, open)) {
-    diagnostics.report(*cause->code, places.at(cause->at), cause->message);
+    diagnostics.report(*cause->code, places.at(cause->at), cause->message, cause->correction);
     return;
   }
-  diagnostics.report(xml_syntax, places.at(at), message_of(fault, text, at, open));
+  diagnostics.report(xml_syntax, places.at(at), message_of(fault, text, at, open),
+                     correction_of(fault, text, at, open));
 }
 
 void report_unquoted(const XmlToken& token, TextPlaces& places, Diagnostics& diagnostics) {
@@ -566,14 +590,16 @@ void report_unquoted(const XmlToken& token, TextPlaces& places, Diagnostics& dia
     }
     diagnostics.report(xml_syntax, places.at(value - opening),
                        fmt::format("{}; write {}=\"{}\"", what, escaped(attribute.name, 40),
-                                   escaped(attribute.value, 60)));
+                                   escaped(attribute.value, 60)),
+                       correction(attribute.value, attribute.value));
   }
 }
 
 void report_end_case(const XmlToken& end, std::string_view open, TextPlaces& places,
                      Diagnostics& diagnostics) {
   diagnostics.report(xml_syntax, places.at(end.written.data()),
-                     misspelled_end(end.name, {open, places.at(open.data() - 1)}));
+                     misspelled_end(end.name, {open, places.at(open.data() - 1)}),
+                     correction(end.name, open));
 }
 
 std::optional<std::string> repair(std::string_view text, const ReadOptions& options,

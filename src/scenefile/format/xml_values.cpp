@@ -165,7 +165,8 @@ void settle_others(const XmlContext& context, const XmlTag& tag, const Signature
     } else if (!near.empty()) {
       context.report(xml_misspelled_attribute, attribute,
                      fmt::format("unknown attribute {} of {}{}", escaped(attribute.name, 40),
-                                 element_text(tag.name), did_you_mean(near)));
+                                 element_text(tag.name), did_you_mean(near)),
+                     correction(attribute.name, near, missing_names(signature, parts)));
       parts[index_of_part(signature, near)] = &attribute;
     } else {
       report_unknown_attribute(context, tag, attribute, {});
@@ -192,7 +193,7 @@ bool take_rest(const XmlContext& context, const XmlTag& tag, const Signature& si
       any_near(tag, signature, parts)) {
     return false;
   }
-  const std::string names = fmt::format("{}", fmt::join(missing_names(signature, parts), ", "));
+  const std::vector<std::string_view> missing = missing_names(signature, parts);
   std::vector<std::string> taken;
   std::size_t next = only_last ? last : 0;
   for (const XmlAttribute& attribute : tag.attributes) {
@@ -205,7 +206,8 @@ bool take_rest(const XmlContext& context, const XmlTag& tag, const Signature& si
                  *parts[only_last ? last : 0],
                  fmt::format("attribute{} {} of {} {} read as {}", only_last ? "" : "s",
                              fmt::join(taken, ", "), element_text(tag.name),
-                             only_last ? "was" : "were", names));
+                             only_last ? "was" : "were", fmt::join(missing, ", ")),
+                 only_last ? correction(parts[last]->name, missing[0]) : std::nullopt);
   return true;
 }
 
@@ -286,7 +288,8 @@ std::optional<Parts> by_order(const XmlContext& context, const XmlTag& tag,
   if (signature.parts == 1) {
     context.report(xml_alias_attribute, first,
                    fmt::format("attribute {} of {} was read as {}", escaped(first.name, 40),
-                               element_text(tag.name), names_text(signature)));
+                               element_text(tag.name), names_text(signature)),
+                   correction(first.name, signature.forms.front().names[0]));
   } else {
     context.report(xml_positional_attributes, first,
                    fmt::format("the attributes of {} were read in their order, as {}",
@@ -302,7 +305,8 @@ void report_alias(const XmlContext& context, const XmlTag& tag, const Signature&
     if (parts[i] != nullptr && parts[i]->name != canonical.names[i]) {
       context.report(xml_alias_attribute, *parts[i],
                      fmt::format("attribute {} of {} was read as {}", parts[i]->name,
-                                 element_text(tag.name), canonical.names[i]));
+                                 element_text(tag.name), canonical.names[i]),
+                     correction(parts[i]->name, canonical.names[i]));
       return;
     }
   }
@@ -321,8 +325,7 @@ bool is_canonical(const XmlTag& tag, const Signature& signature) {
   return true;
 }
 
-std::string number_hint(std::string_view value) {
-  const std::string meant = nearest_number(value);
+std::string number_hint(std::string_view meant) {
   return meant.empty() ? "; numbers are written like 1.5 or -2e3" : did_you_mean(meant);
 }
 
@@ -376,10 +379,12 @@ std::string did_you_mean(std::string_view name, std::string_view mark) {
 void report_unknown_attribute(const XmlContext& context, const XmlTag& tag,
                               const XmlAttribute& attribute,
                               std::span<const std::string_view> known) {
+  const std::string_view near = nearest_name(attribute.name, known);
   context.report(
       xml_unknown_attribute, attribute,
       fmt::format("unknown attribute {} of {} has no effect{}", escaped(attribute.name, 40),
-                  element_text(tag.name), did_you_mean(nearest_name(attribute.name, known))));
+                  element_text(tag.name), did_you_mean(near)),
+      correction(attribute.name, near, known));
 }
 
 void report_meant(const XmlContext& context, const XmlTag& tag, const XmlAttribute& attribute,
@@ -388,7 +393,8 @@ void report_meant(const XmlContext& context, const XmlTag& tag, const XmlAttribu
                  fmt::format("{} is missing the attribute {}; the unknown attribute {} is probably "
                              "meant to be it: write {}=\"{}\"",
                              element_text(tag.name), missing, escaped(attribute.name, 40), missing,
-                             escaped(attribute.value, 60)));
+                             escaped(attribute.value, 60)),
+                 correction(attribute.name, missing));
 }
 
 std::optional<ValueKind> kind_of_element(std::string_view element) {
@@ -518,16 +524,22 @@ bool read_number(const XmlContext& context, const XmlTag& tag, const XmlAttribut
     case NumberError::malformed:
       break;
   }
+  const std::string meant = nearest_number(attribute.value);
   if (!context.options.compat_course) {
-    context.report(
-        xml_number, attribute,
-        fmt::format("{}: {} is not a number{}", what, value, number_hint(attribute.value)));
+    context.report(xml_number, attribute,
+                   fmt::format("{}: {} is not a number{}", what, value, number_hint(meant)),
+                   number_correction(attribute.value, meant));
     return false;
   }
   number = static_cast<float>(parsed.value);
-  context.diagnostics.report(
-      xml_number, Severity::warning, context.place(attribute),
-      fmt::format("{}: {} is not a number; it was read as {}", what, value, number_text(number)));
+  context.diagnostics.add(
+      {&xml_number,
+       Severity::warning,
+       context.place(attribute),
+       {},
+       fmt::format("{}: {} is not a number; it was read as {}", what, value, number_text(number)),
+       {},
+       number_correction(attribute.value, meant)});
   return true;
 }
 

@@ -25,11 +25,13 @@ struct XmlContext {
   Diagnostics& diagnostics;
   TextPlaces& places;
 
-  void report(const Code& code, const XmlTag& tag, std::string message) const {
-    diagnostics.report(code, tag.location, std::move(message));
+  void report(const Code& code, const XmlTag& tag, std::string message,
+              std::optional<Correction> correction = {}) const {
+    diagnostics.report(code, tag.location, std::move(message), std::move(correction));
   }
-  void report(const Code& code, const XmlAttribute& attribute, std::string message) const {
-    diagnostics.report(code, place(attribute), std::move(message));
+  void report(const Code& code, const XmlAttribute& attribute, std::string message,
+              std::optional<Correction> correction = {}) const {
+    diagnostics.report(code, place(attribute), std::move(message), std::move(correction));
   }
   Location place(const XmlAttribute& attribute) const { return places.at(attribute.name.data()); }
 };

@@ -73,11 +73,14 @@ void Reporter::report(const Code& code, const Subject& subject, std::string mess
   report_at(code, subject.location, subject.node, std::move(message));
 }
 
-void Reporter::report(const Code& code, const Subject& subject, Field field, std::string message) {
-  report_at(code, places_.find(subject.location, field), subject.node, std::move(message));
+void Reporter::report(const Code& code, const Subject& subject, Field field, std::string message,
+                      std::optional<Correction> correction) {
+  report_at(code, places_.find(subject.location, field), subject.node, std::move(message),
+            std::move(correction));
 }
 
-void Reporter::report_at(const Code& code, Location location, NodeId node, std::string message) {
+void Reporter::report_at(const Code& code, Location location, NodeId node, std::string message,
+                         std::optional<Correction> correction) {
   if (scene_.incomplete && code.kind == CodeKind::absence) {
     return;
   }
@@ -88,7 +91,7 @@ void Reporter::report_at(const Code& code, Location location, NodeId node, std::
     }
     message += fmt::format(" (in {})", escaped(paths_->path(node), 200));
   }
-  diagnostics_.report(code, location, std::move(message));
+  diagnostics_.report(code, location, std::move(message), std::move(correction));
 }
 
 bool Reporter::finite(const Subject& subject, Field field, std::string_view name, float value) {

@@ -37,7 +37,8 @@ class Reporter {
   /// names its node.
   void report(const Code& code, const Subject& subject, std::string message);
   /// A finding about one field of the subject.
-  void report(const Code& code, const Subject& subject, Field field, std::string message);
+  void report(const Code& code, const Subject& subject, Field field, std::string message,
+              std::optional<Correction> correction = {});
 
   /// Whether the file sets the field, rather than leaving it at its default.
   bool gives(const Subject& subject, Field field) {
@@ -49,7 +50,8 @@ class Reporter {
   bool finite(const Subject& subject, Field field, std::string_view name, const glm::vec3& value);
 
  private:
-  void report_at(const Code& code, Location location, NodeId node, std::string message);
+  void report_at(const Code& code, Location location, NodeId node, std::string message,
+                 std::optional<Correction> correction = {});
 
   const Scene& scene_;
   Diagnostics& diagnostics_;

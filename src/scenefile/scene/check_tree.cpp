@@ -56,11 +56,10 @@ std::vector<std::string_view> some_names(const Scene& scene) {
   return names;
 }
 
-std::string unknown_text(std::string_view name, const std::vector<std::string_view>& known) {
+std::string unknown_text(std::string_view name, std::string_view near) {
   if (name == "root") {
     return "\"root\" is the scene itself, which cannot be inside itself";
   }
-  const std::string_view near = nearest_name(name, known);
   return fmt::format("there is no template named {}{}", quoted(name),
                      near.empty() ? "" : fmt::format("; did you mean {}?", quoted(near)));
 }
@@ -74,9 +73,12 @@ bool check_instances(const Scene& scene, const TemplateNames& names,
     const Node& node = scene.nodes[id];
     if (names.find(node.instance_of) == names.end()) {
       const bool suggest = ++unknown <= max_suggestions;
-      reporter.report(
-          tree_unknown_template, subject_of(scene, id), Field::instance_of,
-          unknown_text(node.instance_of, suggest ? known : std::vector<std::string_view>{}));
+      const std::string_view near = suggest && node.instance_of != "root"
+                                        ? nearest_name(node.instance_of, known)
+                                        : std::string_view();
+      reporter.report(tree_unknown_template, subject_of(scene, id), Field::instance_of,
+                      unknown_text(node.instance_of, near),
+                      correction(node.instance_of, near, known));
     }
     if (!node.primitives.empty() || !node.lights.empty() || !node.children.empty()) {
       reporter.report(

@@ -68,9 +68,14 @@ LoadedScene load_scene_file(const std::string& path, const LoadSettings& setting
     scene.unreadable = text.error();
     return scene;
   }
+  return load_scene_text(path, *std::move(text), settings, access);
+}
+
+LoadedScene load_scene_text(const std::string& path, std::string text, const LoadSettings& settings,
+                            const AssetAccess& access) {
   AssetRoots roots(asset_roots_options(path, access, settings.limits));
   const FetchFile fetch = [&](const std::string& name) { return roots.read(name); };
-  return load_scene(path, *std::move(text), fetch, settings);
+  return load_scene(path, std::move(text), fetch, settings);
 }
 
 void load_written_file(LoadedScene& scene, const LoadSettings& settings,

@@ -32,6 +32,10 @@ struct AssetFile {
 LoadedScene load_scene_file(const std::string& path, const LoadSettings& settings = {},
                             const AssetAccess& access = {});
 
+/// The same for the text that a file at `path` has or is to have.
+LoadedScene load_scene_text(const std::string& path, std::string text,
+                            const LoadSettings& settings = {}, const AssetAccess& access = {});
+
 /// The same for a scene that was changed or built in memory: loads scene.written as if it were
 /// stored at scene.path, which need not exist.
 void load_written_file(LoadedScene& scene, const LoadSettings& settings = {},

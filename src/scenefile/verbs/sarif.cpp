@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <utility>
 
 namespace scenefile {
 
@@ -52,15 +53,47 @@ void add_rule(Json& json, const Code& code) {
   json.end_object();
 }
 
-// Code hosts ignore findings without a line, so those without a place are put on the first line.
-void add_place(Json& json, const std::string& path, Location location) {
-  json.begin_object("physicalLocation");
+void add_artifact(Json& json, const std::string& path) {
   json.begin_object("artifactLocation");
   json.add("uri", path == "-" ? "stdin" : uri_of(path));
   if (!path.starts_with('/')) {
     json.add("uriBaseId", "%SRCROOT%");
   }
   json.end_object();
+}
+
+void add_fixes(Json& json, const std::string& path, const std::vector<Replacement>& replacements) {
+  if (replacements.empty()) {
+    return;
+  }
+  json.begin_array("fixes");
+  json.begin_object();
+  json.begin_array("artifactChanges");
+  json.begin_object();
+  add_artifact(json, path);
+  json.begin_array("replacements");
+  for (const Replacement& replacement : replacements) {
+    json.begin_object();
+    json.begin_object("deletedRegion");
+    json.add("startLine", replacement.from.line);
+    json.add("startColumn", replacement.from.column);
+    json.add("endLine", replacement.to.line);
+    json.add("endColumn", replacement.to.column);
+    json.end_object();
+    add_text(json, "insertedContent", replacement.text);
+    json.end_object();
+  }
+  json.end_array();
+  json.end_object();
+  json.end_array();
+  json.end_object();
+  json.end_array();
+}
+
+// Code hosts ignore findings without a line, so those without a place are put on the first line.
+void add_place(Json& json, const std::string& path, Location location) {
+  json.begin_object("physicalLocation");
+  add_artifact(json, path);
   json.begin_object("region");
   json.add("startLine", location.known() ? location.line : 1u);
   if (location.known() && location.column != 0) {
@@ -182,12 +215,15 @@ void SarifLog::add(const LoadedScene& scene, const FindPath& find_path) {
   }
   Lines lines(scene.text);
   std::map<std::string, int> seen;
-  for (const Diagnostic* d : by_place(scene.diagnostics)) {
+  const std::vector<const Diagnostic*> findings = by_place(scene.diagnostics);
+  std::vector<std::vector<Replacement>> fixes = replacements(scene.text, findings);
+  for (std::size_t i = 0; i < findings.size(); ++i) {
+    const Diagnostic* const d = findings[i];
     const std::string fingerprint = fingerprint_of(*d, lines);
     const std::string file = d->file.empty() ? std::string() : find_path(d->file);
-    entries_.push_back({scene.path, file,
-                        file.empty() ? Location{} : used_at(scene.ready.scene, d->file), *d,
-                        fmt::format("{}:{}", fingerprint, ++seen[fingerprint])});
+    entries_.push_back(
+        {scene.path, file, file.empty() ? Location{} : used_at(scene.ready.scene, d->file), *d,
+         fmt::format("{}:{}", fingerprint, ++seen[fingerprint]), std::move(fixes[i])});
     rules_.emplace(d->code->name, d->code);
   }
 }
@@ -217,6 +253,7 @@ std::string SarifLog::text(int exit_status) const {
     json.begin_object("partialFingerprints");
     json.add("codeAndLine/v1", result.fingerprint);
     json.end_object();
+    add_fixes(json, result.scene, result.fixes);
     json.end_object();
   }
   json.end_array();

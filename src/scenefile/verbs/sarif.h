@@ -1,6 +1,7 @@
 #pragma once
 // Findings as SARIF 2.1.0 (OASIS), which code hosts and editors show next to the lines.
 
+#include "scenefile/edit/fix.h"
 #include "scenefile/verbs/load_scene.h"
 
 #include <functional>
@@ -30,6 +31,7 @@ class SarifLog {
     Location used_at;   ///< where the scene refers to the mesh
     Diagnostic finding;
     std::string fingerprint;  ///< does not change if lines are added or removed before it
+    std::vector<Replacement> fixes;
   };
   std::vector<Entry> entries_;
   std::vector<std::string> unreadable_;

@@ -1,6 +1,7 @@
 #include "scenefile/verbs/scene_json.h"
 
 #include "scenefile/base/report.h"
+#include "scenefile/edit/fix.h"
 #include "scenefile/trace/layers.h"
 #include "scenefile/trace/visit_options.h"
 #include "scenefile/verbs/codes.h"
@@ -13,7 +14,27 @@ namespace scenefile {
 
 namespace {
 
-void add_finding(Json& json, const Diagnostic& d) {
+void add_correction(Json& json, const Correction& correction,
+                    const std::vector<Replacement>& changes) {
+  json.begin_object("correction");
+  json.add("written", correction.written);
+  json.add("instead", correction.instead);
+  if (!changes.empty()) {
+    json.begin_array("changes");
+    for (const Replacement& change : changes) {
+      json.begin_object();
+      add_location(json, change.from);
+      json.add("end_line", change.to.line);
+      json.add("end_column", change.to.column);
+      json.add("text", change.text);
+      json.end_object();
+    }
+    json.end_array();
+  }
+  json.end_object();
+}
+
+void add_finding(Json& json, const Diagnostic& d, const std::vector<Replacement>& changes = {}) {
   json.begin_object();
   json.add("code", d.code->name);
   json.add("severity", severity_name(d.severity));
@@ -29,6 +50,9 @@ void add_finding(Json& json, const Diagnostic& d) {
     json.add("file", d.file);
   }
   add_location(json, d.location);
+  if (d.correction) {
+    add_correction(json, *d.correction, changes);
+  }
   json.end_object();
 }
 
@@ -98,7 +122,7 @@ void add_location(Json& json, Location location) {
   }
 }
 
-void add_scene(Json& json, const LoadedScene& scene) {
+void add_scene(Json& json, const LoadedScene& scene, const FixReport* fixes) {
   json.begin_object();
   json.add("file", scene.path);
   if (scene.unreadable) {
@@ -110,16 +134,28 @@ void add_scene(Json& json, const LoadedScene& scene) {
   json.add("notes", scene.diagnostics.count(Severity::note));
   json.add("not_listed", scene.diagnostics.dropped());
   json.begin_array("findings");
-  for (const Diagnostic* d : by_place(scene.diagnostics)) {
-    add_finding(json, *d);
+  const std::vector<const Diagnostic*> findings = by_place(scene.diagnostics);
+  const std::vector<std::vector<Replacement>> changes = replacements(scene.text, findings);
+  for (std::size_t i = 0; i < findings.size(); ++i) {
+    add_finding(json, *findings[i], changes[i]);
   }
   json.end_array();
+  if (fixes != nullptr) {
+    json.begin_array("fixed");
+    for (const Diagnostic& d : fixes->made) {
+      add_finding(json, d);
+    }
+    json.end_array();
+    if (!fixes->error.empty()) {
+      json.add("write_error", fixes->error);
+    }
+  }
   json.end_object();
 }
 
-std::string scene_json(const LoadedScene& scene) {
+std::string scene_json(const LoadedScene& scene, const FixReport* fixes) {
   Json json;
-  add_scene(json, scene);
+  add_scene(json, scene, fixes);
   return json.text();
 }
 

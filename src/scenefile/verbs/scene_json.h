@@ -16,10 +16,16 @@ namespace scenefile {
 /// Writes the version and the name of the command; the document's object stays open.
 void begin_document(Json& json, std::string_view verb);
 
+/// What `check --fix` did to a scene's file.
+struct FixReport {
+  std::vector<Diagnostic> made;  ///< the findings that were fixed
+  std::string error;             ///< why the file could not be written; empty on success
+};
+
 /// Adds the scene as a value of the open object or array: path, verdict, findings.
-void add_scene(Json& json, const LoadedScene& scene);
+void add_scene(Json& json, const LoadedScene& scene, const FixReport* fixes = nullptr);
 /// The same as a separate text.
-std::string scene_json(const LoadedScene& scene);
+std::string scene_json(const LoadedScene& scene, const FixReport* fixes = nullptr);
 
 /// The document for checked scenes, from texts of scene_json().
 std::string check_json(const std::vector<std::string>& scenes);

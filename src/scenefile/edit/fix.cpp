@@ -1,0 +1,541 @@
+#include "scenefile/edit/fix.h"
+
+#include "scenefile/base/text.h"
+#include "scenefile/edit/file_text.h"
+#include "scenefile/format/codes.h"
+#include "scenefile/format/json_parser.h"
+#include "scenefile/format/write_text.h"
+#include "scenefile/format/xml_scanner.h"
+#include "scenefile/scene/check.h"
+#include "scenefile/scene/diff.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <tuple>
+#include <utility>
+
+namespace scenefile {
+
+namespace {
+
+using Changes = std::vector<TextChange>;
+
+TextChange change_of(std::size_t at, std::size_t size, std::string text) {
+  return {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(size), std::move(text)};
+}
+
+std::string as_xml_value(std::string_view value) {
+  std::string text;
+  append_xml(text, value);
+  return text;
+}
+
+std::string as_json_string(std::string_view value) {
+  std::string text;
+  append_json(text, value);
+  return text;
+}
+
+// A value with the predefined references resolved.
+std::string unescaped(std::string_view value) {
+  constexpr std::pair<std::string_view, char> references[] = {
+      {"&lt;", '<'}, {"&gt;", '>'}, {"&amp;", '&'}, {"&quot;", '"'}, {"&apos;", '\''}};
+  std::string text;
+  while (!value.empty()) {
+    const auto* const found =
+        std::find_if(std::begin(references), std::end(references),
+                     [&](const auto& entry) { return value.starts_with(entry.first); });
+    const bool is_reference = found != std::end(references);
+    text += is_reference ? found->second : value[0];
+    value.remove_prefix(is_reference ? found->first.size() : 1);
+  }
+  return text;
+}
+
+// Finds the word of a correction in XML.
+class XmlFixer {
+ public:
+  XmlFixer(std::string_view text, std::size_t at, const Correction& correction)
+      : text_(text), at_(at), written_(correction.written), instead_(correction.instead) {}
+
+  Changes changes() const {
+    if (text_[at_] == '&') {
+      return written_ == "&" ? Changes{change_of(at_, 1, as_xml_value(instead_))} : Changes{};
+    }
+    const std::size_t open = text_.rfind('<', at_);
+    XmlScanner scanner(text_.substr(std::min(open, text_.size())));
+    XmlToken token;
+    if (open == std::string_view::npos || !scanner.next(token)) {
+      return {};
+    }
+    if (token.kind == XmlTokenKind::end) {
+      return end_tag(token, open);
+    }
+    if (token.kind != XmlTokenKind::start && token.kind != XmlTokenKind::empty) {
+      return {};
+    }
+    if (at_ == open && token.name == written_) {
+      return element(token, scanner);
+    }
+    for (const XmlAttribute& attribute : token.attributes) {
+      const bool here = at_ == open || attribute.name.data() == text_.data() + at_ ||
+                        value_start(attribute) == at_;
+      if (here && attribute.name == written_ && value_start(attribute) != at_) {
+        return {change_of(offset(attribute.name), written_.size(), instead_)};
+      }
+      if (here && (attribute.value == written_ || unescaped(attribute.value) == written_)) {
+        return value(attribute);
+      }
+    }
+    return {};
+  }
+
+ private:
+  std::size_t offset(std::string_view part) const {
+    return static_cast<std::size_t>(part.data() - text_.data());
+  }
+
+  // Where a value begins; if it is not in quotes, with what it has instead of them.
+  std::size_t value_start(const XmlAttribute& attribute) const {
+    const std::size_t start = offset(attribute.value);
+    constexpr std::size_t quote = 3;  // bytes of a typographic one
+    return is_unquoted(attribute) && start >= quote
+               ? start - typographic_quote(text_.substr(start - quote, quote))
+               : start;
+  }
+
+  Changes end_tag(const XmlToken& token, std::size_t open) const {
+    if (token.name != written_) {
+      return {};
+    }
+    return instead_.empty() ? Changes{change_of(open, token.written.size(), {})}
+                            : Changes{change_of(offset(token.name), token.name.size(), instead_)};
+  }
+
+  // The name of an element and of its closing tag.
+  Changes element(XmlToken& token, XmlScanner& scanner) const {
+    Changes changes{change_of(offset(token.name), token.name.size(), instead_)};
+    std::size_t depth = token.kind == XmlTokenKind::start ? 1 : 0;
+    while (depth != 0 && scanner.next(token)) {
+      depth += token.kind == XmlTokenKind::start ? 1 : 0;
+      depth -= token.kind == XmlTokenKind::end ? 1 : 0;
+    }
+    if (token.kind == XmlTokenKind::end && token.name == written_) {
+      changes.push_back(change_of(offset(token.name), token.name.size(), instead_));
+    }
+    return changes;
+  }
+
+  Changes value(const XmlAttribute& attribute) const {
+    const std::size_t start = value_start(attribute);
+    if (!is_unquoted(attribute)) {
+      std::string text = as_xml_value(instead_);
+      for (std::size_t i = 0; (i = text.find('\'', i)) != text.npos;) {
+        text.replace(i, 1, "&apos;");
+      }
+      return {change_of(start, attribute.value.size(), std::move(text))};
+    }
+    const std::size_t end = offset(attribute.value) + attribute.value.size();
+    const std::string_view rest = text_.substr(end);
+    const std::size_t quote =
+        rest.starts_with('"') || rest.starts_with('\'') ? 1 : typographic_quote(rest);
+    return {change_of(start, end + quote - start, '"' + as_xml_value(instead_) + '"')};
+  }
+
+  std::string_view text_;
+  std::size_t at_;
+  const std::string& written_;
+  const std::string& instead_;
+};
+
+// The string, with its quotes, that begins at the offset; empty if it does not end.
+std::string_view json_string_at(std::string_view text, std::size_t at) {
+  std::size_t end = at + 1;
+  while (end < text.size() && text[end] != '"') {
+    end += text[end] == '\\' ? 2 : 1;
+  }
+  return end < text.size() ? text.substr(at, end + 1 - at) : std::string_view();
+}
+
+bool json_string_is(std::string_view string, std::string_view value) {
+  JsonTape tape;
+  return parse_json(string, 1, tape).fault == JsonFault::none && tape.string(0) == value;
+}
+
+// Finds the word of a correction in JSON: at the place, or in the value of the key there.
+Changes json_changes(std::string_view text, std::size_t at, const Diagnostic& finding) {
+  const auto& [written, instead, certain] = *finding.correction;
+  const std::string_view rest = text.substr(at);
+  if (rest.starts_with(written)) {
+    return {change_of(at, written.size(), written == instead ? as_json_string(instead) : instead)};
+  }
+  if (rest.starts_with('\'') && rest.substr(1).starts_with(written)) {
+    return {change_of(at, written.size() + 2, as_json_string(instead))};
+  }
+  const auto replaced = [&](std::string_view string) {
+    const bool number = finding.code == &json_wrong_type;
+    return Changes{change_of(static_cast<std::size_t>(string.data() - text.data()), string.size(),
+                             number ? instead : as_json_string(instead))};
+  };
+  const std::string_view key = rest.starts_with('"') ? json_string_at(text, at) : "";
+  if (key.empty()) {
+    return {};
+  }
+  if (json_string_is(key, written)) {
+    return replaced(key);
+  }
+  const std::size_t value = text.find_first_not_of(" \t\r\n:", at + key.size());
+  const std::string_view string = value != std::string_view::npos && text[value] == '"'
+                                      ? json_string_at(text, value)
+                                      : std::string_view();
+  return !string.empty() && json_string_is(string, written) ? replaced(string) : Changes{};
+}
+
+std::optional<Edit> edit_of(const FileText& file, const Diagnostic& finding) {
+  if (!finding.correction || !finding.file.empty()) {
+    return std::nullopt;
+  }
+  const std::optional<std::size_t> at = file.offset(finding.location);
+  if (!at || *at >= file.text().size()) {
+    return std::nullopt;
+  }
+  Edit edit{file.is_xml() ? XmlFixer(file.text(), *at, *finding.correction).changes()
+                          : json_changes(file.text(), *at, finding),
+            std::nullopt};
+  if (edit.changes.empty() || !file.to_bytes(edit)) {
+    return std::nullopt;
+  }
+  sort_changes(edit.changes);
+  return edit;
+}
+
+struct Reading {
+  Scene scene;
+  Diagnostics findings;
+};
+
+Reading read_and_check(std::string_view text, ReadOptions options) {
+  // Findings that are not kept would look new when others are fixed.
+  options.limits.messages_per_code = 100'000;
+  options.limits.message_bytes = 64'000'000;
+  Reading reading{{}, Diagnostics(options.limits)};
+  reading.scene = read_scene(text, options, reading.findings);
+  check(reading.scene, options.limits, reading.findings);
+  return reading;
+}
+
+// Mistakes at which reading may stop.
+bool is_syntax(const Diagnostic& finding) {
+  constexpr const Code* codes[] = {&xml_syntax,   &xml_comment, &xml_entity,
+                                   &json_syntax,  &json_string, &json_trailing_comma,
+                                   &json_comment, &json_number, &json_truncated};
+  return finding.severity == Severity::error &&
+         std::find(std::begin(codes), std::end(codes), finding.code) != std::end(codes);
+}
+
+int rank_of(const Diagnostic& finding) {
+  return is_syntax(finding) ? 0 : finding.severity == Severity::error ? 1 : 2;
+}
+
+using Place = std::pair<std::uint32_t, std::uint32_t>;  // line, column
+
+Place place_of(const Diagnostic& finding) {
+  return {finding.location.line, finding.location.column};
+}
+
+struct Candidate {
+  const Diagnostic* finding;
+  Edit edit;
+};
+
+// Counts findings by what stays when other words of their line change.
+class Tally {
+ public:
+  explicit Tally(const Reading& reading) {
+    for (const Diagnostic& d : reading.findings.list()) {
+      ++lines_[{d.code, d.location.line}];
+      ++messages_[{d.code, d.location.line, d.message}];
+    }
+  }
+  std::size_t on_line(const Diagnostic& d) const {
+    const auto found = lines_.find({d.code, d.location.line});
+    return found == lines_.end() ? 0 : found->second;
+  }
+  std::size_t of_message(const Diagnostic& d) const {
+    const auto found = messages_.find({d.code, d.location.line, d.message});
+    return found == messages_.end() ? 0 : found->second;
+  }
+
+ private:
+  std::map<std::pair<const Code*, std::uint32_t>, std::size_t> lines_;
+  std::map<std::tuple<const Code*, std::uint32_t, std::string_view>, std::size_t> messages_;
+};
+
+// Searches for the fixes of one text that can be made together.
+class Round {
+ public:
+  Round(std::string_view text, const Reading& reading, const ReadOptions& options)
+      : text_(text), reading_(reading), options_(options), before_(reading) {}
+
+  // Adds all of the candidates that are right.
+  void take(std::span<const Candidate> candidates) {
+    if (candidates.empty() || reads_left_ == 0) {
+      return;
+    }
+    --reads_left_;
+    std::vector<Candidate> all = taken_;
+    all.insert(all.end(), candidates.begin(), candidates.end());
+    if (is_right(all)) {
+      taken_ = std::move(all);
+    } else if (candidates.size() > 1) {
+      const std::size_t half = candidates.size() / 2;
+      take(candidates.first(half));
+      take(candidates.subspan(half));
+    }
+  }
+
+  const std::vector<Candidate>& taken() const { return taken_; }
+
+  static Edit together(std::span<const Candidate> candidates) {
+    Edit edit;
+    for (const Candidate& candidate : candidates) {
+      for (const TextChange& change : candidate.edit.changes) {
+        if (std::find(edit.changes.begin(), edit.changes.end(), change) == edit.changes.end()) {
+          edit.changes.push_back(change);
+        }
+      }
+    }
+    sort_changes(edit.changes);
+    return edit;
+  }
+
+ private:
+  bool is_right(std::span<const Candidate> candidates) const {
+    const Edit edit = together(candidates);
+    if (!fits(edit, text_.size())) {
+      return false;
+    }
+    const std::string text = applied(text_, edit);
+    const Reading after = read_and_check(text, options_);
+    return findings_are_right(candidates, after) && scene_is_right(candidates, after);
+  }
+
+  bool findings_are_right(std::span<const Candidate> candidates, const Reading& after) const {
+    const Tally now(after);
+    std::map<std::tuple<const Code*, std::uint32_t, std::string_view>, std::size_t> fixed;
+    Place stop;  // the last place where reading stopped, if it did
+    for (const Candidate& candidate : candidates) {
+      const Diagnostic& d = *candidate.finding;
+      ++fixed[{d.code, d.location.line, d.message}];
+      stop = is_syntax(d) ? std::max(stop, place_of(d)) : stop;
+    }
+    const bool all_gone =
+        std::all_of(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
+          const Diagnostic& d = *candidate.finding;
+          return now.of_message(d) + fixed[{d.code, d.location.line, d.message}] <=
+                 before_.of_message(d);
+        });
+    const auto& list = after.findings.list();
+    return all_gone && std::all_of(list.begin(), list.end(), [&](const Diagnostic& d) {
+             const bool revealed = d.code->kind == CodeKind::absence ||
+                                   (stop != Place() && (!is_syntax(d) || place_of(d) > stop));
+             return revealed || now.on_line(d) <= before_.on_line(d);
+           });
+  }
+
+  bool scene_is_right(std::span<const Candidate> candidates, const Reading& after) const {
+    std::size_t errors = 0;
+    for (const Candidate& candidate : candidates) {
+      if (is_syntax(*candidate.finding)) {
+        return true;  // the rest of the scene may not have been read
+      }
+      errors += candidate.finding->severity == Severity::error ? 1 : 0;
+    }
+    if (errors == 0) {
+      return reading_.scene == after.scene;
+    }
+    // A part that is another now is reported as removed and as added.
+    std::set<std::pair<std::uint32_t, std::string>> parts;
+    for (SceneDifference& d : diff(reading_.scene, after.scene, 4 * errors + 1)) {
+      const std::uint32_t line = d.in_a.known() ? d.in_a.line : d.in_b.line;
+      parts.insert({line, line == 0 ? std::move(d.where) : std::string()});
+    }
+    return parts.size() <= errors;
+  }
+
+  std::string_view text_;
+  const Reading& reading_;
+  const ReadOptions& options_;
+  Tally before_;
+  std::vector<Candidate> taken_;
+  std::size_t reads_left_ = 200;
+};
+
+// The certain corrections of a text.
+std::vector<Candidate> candidates_of(std::string_view text, const Reading& reading,
+                                     const std::vector<std::string>& ignored) {
+  const FileText file(text);
+  std::vector<Candidate> candidates;
+  for (const Diagnostic& d : reading.findings.list()) {
+    if (d.severity == Severity::note || !d.correction || !d.correction->certain ||
+        std::find(ignored.begin(), ignored.end(), d.code->name) != ignored.end()) {
+      continue;
+    }
+    if (std::optional<Edit> edit = edit_of(file, d)) {
+      candidates.push_back({&d, *std::move(edit)});
+    }
+  }
+  return candidates;
+}
+
+// Where a place of the text was before the edits that `backs` take back.
+Location original_place(std::string_view original, std::string_view text, Location location,
+                        const std::vector<Edit>& backs) {
+  const FileText file(text);
+  const std::optional<std::size_t> offset = file.offset(location);
+  if (!offset) {
+    return location;
+  }
+  std::uint32_t at = file.in_bytes(*offset);
+  for (auto back = backs.rbegin(); back != backs.rend(); ++back) {
+    at = moved(at, *back);
+  }
+  return FileText(original).location(at);
+}
+
+}  // namespace
+
+std::optional<Edit> fix(std::string_view bytes, const Diagnostic& finding) {
+  return edit_of(FileText(bytes), finding);
+}
+
+std::vector<std::vector<Replacement>> replacements(std::string_view bytes,
+                                                   const std::vector<const Diagnostic*>& findings) {
+  std::vector<std::vector<Replacement>> result(findings.size());
+  std::optional<FileText> file;
+  for (std::size_t i = 0; i < findings.size(); ++i) {
+    if (!findings[i]->correction) {
+      continue;
+    }
+    if (!file) {
+      file.emplace(bytes);
+    }
+    if (std::optional<Edit> edit = edit_of(*file, *findings[i])) {
+      for (TextChange& change : edit->changes) {
+        result[i].push_back({file->location(change.at), file->location(change.at + change.size),
+                             std::move(change.text)});
+      }
+    }
+  }
+  return result;
+}
+
+FixedText fix_text(std::string text, const ReadOptions& options,
+                   const std::vector<std::string>& ignored) {
+  constexpr int most_rounds = 100;
+  const std::string original = text;
+  FixedText fixed{std::move(text), {}};
+  std::vector<Edit> backs;
+  for (int i = 0; i < most_rounds; ++i) {
+    const Reading reading = read_and_check(fixed.text, options);
+    const std::vector<Candidate> candidates = candidates_of(fixed.text, reading, ignored);
+    Round round(fixed.text, reading, options);
+    // Mistakes at which reading may have stopped, other errors, which may change values, and
+    // warnings, which may not, are not fixed together.
+    for (const int rank : {0, 1, 2}) {
+      std::vector<Candidate> some;
+      std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(some),
+                   [&](const Candidate& c) { return rank_of(*c.finding) == rank; });
+      round.take(some);
+      if (!round.taken().empty()) {
+        break;
+      }
+    }
+    if (round.taken().empty()) {
+      break;
+    }
+    for (const Candidate& candidate : round.taken()) {
+      fixed.made.push_back(*candidate.finding);
+      fixed.made.back().location =
+          original_place(original, fixed.text, candidate.finding->location, backs);
+    }
+    const Edit edit = Round::together(round.taken());
+    backs.push_back(inverse(fixed.text, edit));
+    fixed.text = applied(fixed.text, edit);
+  }
+  std::stable_sort(
+      fixed.made.begin(), fixed.made.end(),
+      [](const Diagnostic& a, const Diagnostic& b) { return place_of(a) < place_of(b); });
+  return fixed;
+}
+
+namespace {
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const std::size_t size = std::min(text.find('\n'), text.size() - 1) + 1;
+    lines.push_back(text.substr(0, size));
+    text.remove_prefix(size);
+  }
+  return lines;
+}
+
+void add_line(std::string& diff, char mark, std::string_view line) {
+  diff += mark;
+  diff += line;
+  if (!line.ends_with('\n')) {
+    diff += "\n\\ No newline at end of file\n";
+  }
+}
+
+}  // namespace
+
+std::string unified_diff(std::string_view before, std::string_view after, std::string_view name) {
+  constexpr std::size_t context = 3;
+  const std::vector<std::string_view> a = lines_of(before);
+  const std::vector<std::string_view> b = lines_of(after);
+  const std::size_t count = std::min(a.size(), b.size());
+  std::string diff;
+  std::size_t at = 0;
+  const auto next = [&](std::size_t from) {
+    while (from < count && a[from] == b[from]) {
+      ++from;
+    }
+    return from;
+  };
+  while ((at = next(at)) < count) {
+    const std::size_t first = at - std::min(at, context);
+    std::size_t last = at + 1;  // one past the last line that differs
+    for (std::size_t other = next(last); other < count && other - last <= 2 * context;
+         other = next(last)) {
+      last = other + 1;
+    }
+    const std::size_t end = std::min(last + context, count);
+    diff += diff.empty() ? fmt::format("--- {0}\n+++ {0}\n", name) : std::string();
+    diff += fmt::format("@@ -{0},{1} +{0},{1} @@\n", first + 1, end - first);
+    for (std::size_t i = first; i < end;) {
+      if (a[i] == b[i]) {
+        add_line(diff, ' ', a[i++]);
+        continue;
+      }
+      std::size_t stop = i;
+      while (stop < end && a[stop] != b[stop]) {
+        add_line(diff, '-', a[stop++]);
+      }
+      for (; i < stop; ++i) {
+        add_line(diff, '+', b[i]);
+      }
+    }
+    at = end;
+  }
+  return diff;
+}
+
+}  // namespace scenefile

@@ -1,0 +1,280 @@
+#include "scenefile/edit/fix.h"
+
+#include "scenefile/format/codes.h"
+#include "scenefile/scene/check.h"
+#include "scenefile/scene/codes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace scenefile {
+namespace {
+
+Diagnostics findings_of(const std::string& text, const ReadOptions& options = {}) {
+  Diagnostics findings;
+  check(read_scene(text, options, findings), options.limits, findings);
+  return findings;
+}
+
+// A scene with one transblock, whose contents `object` are.
+std::string xml_with(const std::string& object) {
+  return R"(<scenefile>
+  <globaldata><diffusecoeff v="0.5"/><ambientcoeff v="0.5"/><specularcoeff v="0.5"/></globaldata>
+  <cameradata>
+    <pos x="5" y="5" z="5"/><look x="-1" y="-1" z="-1"/><up x="0" y="1" z="0"/><heightangle v="45"/>
+  </cameradata>
+  <lightdata>
+    <id v="0"/><type v="point"/><color r="1" g="1" b="1"/><position x="3" y="3" z="3"/>
+    <function v1="1" v2="0" v3="0"/>
+  </lightdata>
+  <object type="tree" name="chair">
+    <transblock><object type="primitive" name="cube"><diffuse r="1" g="1" b="1"/></object></transblock>
+  </object>
+  <object type="tree" name="root">
+    <transblock>
+<object type="master" name="chair"/>
+    </transblock>
+    <transblock>
+)" + object +
+         R"(
+    </transblock>
+  </object>
+</scenefile>
+)";
+}
+
+std::string json_with(const std::string& group) {
+  return R"({
+  "globalData": {"ambientCoeff": 0.5, "diffuseCoeff": 0.5, "specularCoeff": 0.5},
+  "cameraData": {"position": [5, 5, 5], "look": [-1, -1, -1], "up": [0, 1, 0], "heightAngle": 45},
+  "templateGroups": [{"name": "chair", "primitives": [{"type": "cube"}]}],
+  "groups": [
+    {"lights": [{"type": "directional", "color": [1, 1, 1], "direction": [0, -1, 0]}]},
+    {"name": "chair"},
+)" + group +
+         "\n  ]\n}\n";
+}
+
+struct FixCase {
+  const char* name;
+  std::string before;
+  std::string after;  // the same: nothing is certain
+};
+
+const std::vector<FixCase> xml_cases{
+    {"Element",
+     R"(<object type="primitive" name="cube"><difuse r="1" g="0" b="1"></difuse></object>)",
+     R"(<object type="primitive" name="cube"><diffuse r="1" g="0" b="1"></diffuse></object>)"},
+    {"ClosingTag", R"(<object type="primitive" name="cube"><diffuse r="1" g="0" b="1"/></objekt>)",
+     R"(<object type="primitive" name="cube"><diffuse r="1" g="0" b="1"/></object>)"},
+    {"ClosedTwice",
+     R"(<translate x="1" y="0" z="0"/></translate><object type="master" name="chair"/>)",
+     R"(<translate x="1" y="0" z="0"/><object type="master" name="chair"/>)"},
+    {"Attribute", R"(<rotate x="0" y="1" z="0" angel="30"/><object type="master" name="chair"/>)",
+     R"(<rotate x="0" y="1" z="0" angle="30"/><object type="master" name="chair"/>)"},
+    {"LetterCase", R"(<Object type="Primitive" name="SPHERE"></Object>)",
+     R"(<object type="primitive" name="sphere"></object>)"},
+    {"Comma", R"(<scale x="0,5" y="1" z="1"/><object type="master" name="chair"/>)",
+     R"(<scale x="0.5" y="1" z="1"/><object type="master" name="chair"/>)"},
+    {"Quotes", "<scale x=2 y='2' z=\u201C3\u201D/><object type=\"master\" name=\"chair\"/>",
+     R"(<scale x="2" y='2' z="3"/><object type="master" name="chair"/>)"},
+    {"Name", R"(<object type="master" name="chiar"/>)", R"(<object type="master" name="chair"/>)"},
+    {"Color", R"(<object type="primitive" name="cube"><diffuse x="1" y="0" z="1"/></object>)",
+     R"(<object type="primitive" name="cube"><diffuse r="1" g="0" b="1"/></object>)"},
+    {"Ampersand",
+     R"(<object type="primitive" name="cube"><diffuse r="1" g="1" b="1"/><texture file="a&b.png" u="1" v="1"/><blend v="1"/></object>)",
+     R"(<object type="primitive" name="cube"><diffuse r="1" g="1" b="1"/><texture file="a&amp;b.png" u="1" v="1"/><blend v="1"/></object>)"},
+    {"Several",
+     R"(<trnslate x="1" y="0" z="0"/><object tpye="primitve" name="cilinder"><difuse r="1" g="0,5" b="0"/></object>)",
+     R"(<translate x="1" y="0" z="0"/><object type="primitive" name="cylinder"><diffuse r="1" g="0.5" b="0"/></object>)"},
+    // What could mean something else.
+    {"Thousand", R"(<scale x="1,000" y="1" z="1"/><object type="master" name="chair"/>)",
+     R"(<scale x="1,000" y="1" z="1"/><object type="master" name="chair"/>)"},
+    {"LetterForDigit", R"(<scale x="1O" y="1" z="1"/><object type="master" name="chair"/>)",
+     R"(<scale x="1O" y="1" z="1"/><object type="master" name="chair"/>)"},
+    {"ForeignShape", R"(<object type="primitive" name="box"/>)",
+     R"(<object type="primitive" name="box"/>)"},
+    {"UnknownElement", R"(<object type="primitive" name="cube"><mood v="1"/></object>)",
+     R"(<object type="primitive" name="cube"><mood v="1"/></object>)"},
+};
+
+const std::vector<FixCase> json_cases{
+    {"Key", R"({"primitives": [{"type": "cube", "difuse": [1, 0, 1]}]})",
+     R"({"primitives": [{"type": "cube", "diffuse": [1, 0, 1]}]})"},
+    {"Type", R"({"primitives": [{"type": "cilinder"}]})",
+     R"({"primitives": [{"type": "cylinder"}]})"},
+    {"Number", R"({"translate": [.5, 1., "2"], "primitives": []})",
+     R"({"translate": [0.5, 1.0, 2], "primitives": []})"},
+    {"DecimalComma", R"({"primitives": [{"type": "cube", "shininess": 1,5}]})",
+     R"({"primitives": [{"type": "cube", "shininess": 1.5}]})"},
+    {"Quotes", R"({'primitives': [{type: cube}]})", R"({"primitives": [{"type": "cube"}]})"},
+    {"Commas",
+     "{\"translate\": [1, 2, 3]\n \"primitives\": [{\"type\": \"cube\"; \"shininess\": 5,},]}",
+     "{\"translate\": [1, 2, 3],\n \"primitives\": [{\"type\": \"cube\", \"shininess\": 5}]}"},
+    // Only a warning: an empty group to the course's programs.
+    {"Name", R"({"name": "chiar"})", R"({"name": "chiar"})"},
+    {"Extension", R"({"name": "leg", "primitives": [], "mood": 1})",
+     R"({"name": "leg", "primitives": [], "mood": 1})"},
+};
+
+void expect_fixed(const std::vector<FixCase>& cases, std::string (*with)(const std::string&)) {
+  for (const FixCase& c : cases) {
+    SCOPED_TRACE(c.name);
+    const FixedText fixed = fix_text(with(c.before), {});
+    EXPECT_EQ(fixed.text, with(c.after));
+    EXPECT_EQ(fixed.made.empty(), c.before == c.after);
+    EXPECT_TRUE(fix_text(fixed.text, {}).made.empty());
+    if (c.before != c.after) {
+      EXPECT_FALSE(findings_of(fixed.text).has_errors());
+    }
+  }
+}
+
+TEST(Fix, WritesWhatIsCertainInXml) {
+  ASSERT_FALSE(findings_of(xml_with(R"(<object type="master" name="chair"/>)")).has_errors());
+  expect_fixed(xml_cases, xml_with);
+}
+
+TEST(Fix, WritesWhatIsCertainInJson) {
+  ASSERT_FALSE(findings_of(json_with(R"({"name": "chair"})")).has_errors());
+  expect_fixed(json_cases, json_with);
+}
+
+TEST(Fix, OfTwoNamesThatAreAsNearNoneIsCertain) {
+  const std::string text = xml_with(R"(<object type="master" name="chair2"/>)");
+  EXPECT_TRUE(fix_text(text, {}).made.empty());  // a digit is not a typing mistake
+  const std::string coeff =
+      R"(<scenefile><globaldata><kq v="1"/></globaldata></scenefile>)";  // ka, kd, ks?
+  EXPECT_TRUE(fix_text(coeff, {}).made.empty());
+}
+
+TEST(Fix, KeepsEncodingAndLineEnds) {
+  std::string text = "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>\r\n" +
+                     xml_with("<!-- \xe9 --><object type=\"master\" name=\"chiar\"/>");
+  for (std::size_t at = 60; (at = text.find('\n', at)) != text.npos; at += 2) {
+    text.replace(at, 1, "\r\n");
+  }
+  std::string right = text;
+  right.replace(right.find("chiar"), 5, "chair");
+  EXPECT_EQ(fix_text(text, {}).text, right);
+}
+
+TEST(Fix, EscapesWhatItWrites) {
+  std::string text = xml_with(R"(<object type="master" name='it"s & chiar'/>)");
+  text.replace(text.find("name=\"chair\""), 12, "name=\"it&quot;s &amp; chair\"");
+  text.replace(text.find("name=\"chair\""), 12, "name=\"it&quot;s &amp; chair\"");
+  text.replace(text.find("s & chiar"), 9, "s &amp; chiar");
+  const std::string fixed = fix_text(text, {}).text;
+  EXPECT_NE(fixed.find("name='it&quot;s &amp; chair'"), fixed.npos) << fixed;
+}
+
+TEST(Fix, PlacesAreThoseOfTheOldText) {
+  const FixedText fixed = fix_text(
+      xml_with(R"(<trnslate x="0,5" y="0" z="0"/><object type="master" name="chiar"/>)"), {});
+  ASSERT_EQ(fixed.made.size(), 3U);
+  EXPECT_EQ(fixed.made[0].location.column, 1U);
+  EXPECT_EQ(fixed.made[1].location.column, 11U);
+  EXPECT_EQ(fixed.made[2].location.column, 54U);
+  EXPECT_EQ(fixed.made[2].code, &tree_unknown_template);
+}
+
+TEST(Fix, LeavesCodesAloneThatAreIgnored) {
+  const std::string text = xml_with(R"(<Object type="master" name="chair"/>)");
+  EXPECT_EQ(fix_text(text, {}, {"xml.name-case"}).text, text);
+  EXPECT_NE(fix_text(text, {}).text, text);
+}
+
+TEST(Fix, CompatCourseKeepsThePrefixThatItReads) {
+  const std::string text =
+      xml_with(R"(<scale x="0,5" y="1" z="1"/><object type="master" name="chair"/>)");
+  EXPECT_EQ(fix_text(text, {.compat_course = true, .limits = {}}).text, text);
+}
+
+TEST(Fix, OneFindingAtATime) {
+  const std::string text = xml_with(R"(<object type="master" name="chiar"/>)");
+  for (const Diagnostic& d : findings_of(text).list()) {
+    if (d.code == &tree_unknown_template) {
+      const std::optional<Edit> edit = fix(text, d);
+      ASSERT_TRUE(edit);
+      EXPECT_EQ(applied(text, *edit), xml_with(R"(<object type="master" name="chair"/>)"));
+      const auto changes = replacements(text, {&d});
+      ASSERT_EQ(changes[0].size(), 1U);
+      EXPECT_EQ(changes[0][0].to.column, changes[0][0].from.column + 5);
+      Diagnostic other = d;
+      other.file = "mesh.obj";
+      EXPECT_FALSE(fix(text, other));
+      other = d;
+      other.location = {1000, 1};
+      EXPECT_FALSE(fix(text, other));
+    }
+  }
+}
+
+TEST(UnifiedDiff, ShowsWhatChanges) {
+  EXPECT_EQ(unified_diff("a\nb\n", "a\nb\n", "x"), "");
+  EXPECT_EQ(unified_diff("1\n2\n3\n4\na\nb\n7\n8\n9\n10", "1\n2\n3\n4\nA\nB\n7\n8\n9\n!0", "x"),
+            "--- x\n+++ x\n@@ -2,9 +2,9 @@\n 2\n 3\n 4\n-a\n-b\n+A\n+B\n 7\n 8\n 9\n-10\n"
+            "\\ No newline at end of file\n+!0\n\\ No newline at end of file\n");
+}
+
+std::string bytes_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// Counts by code and line.
+std::map<std::pair<const Code*, std::uint32_t>, int> counts(const Diagnostics& findings) {
+  std::map<std::pair<const Code*, std::uint32_t>, int> result;
+  for (const Diagnostic& d : findings.list()) {
+    ++result[{d.code, d.location.line}];
+  }
+  return result;
+}
+
+// A second run changes nothing; what reading did not stop at shows no finding that was not there;
+// every correction finds its word.
+TEST(Fix, FixturesStayWhatTheyAre) {
+  int changed = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(SCENEFILE_FIXTURES)) {
+    const std::string ending = entry.path().extension().string();
+    if (!entry.is_regular_file() || (ending != ".xml" && ending != ".json") ||
+        entry.file_size() > 200'000) {
+      continue;
+    }
+    SCOPED_TRACE(entry.path());
+    const std::string text = bytes_of(entry.path());
+    for (const bool compat : {false, true}) {
+      const ReadOptions options{.compat_course = compat, .limits = {}};
+      const Diagnostics before = findings_of(text, options);
+      for (const Diagnostic& d : before.list()) {
+        EXPECT_TRUE(!d.correction || fix(text, d)) << d.message;
+      }
+      const FixedText fixed = fix_text(text, options);
+      EXPECT_TRUE(fix_text(fixed.text, options).made.empty());
+      EXPECT_EQ(fixed.made.empty(), fixed.text == text);
+      changed += fixed.text == text ? 0 : 1;
+      const bool stopped = std::any_of(fixed.made.begin(), fixed.made.end(), [](const auto& d) {
+        return d.code == &xml_syntax || d.code == &json_syntax || d.code == &json_number ||
+               d.code == &json_trailing_comma;
+      });
+      auto old = counts(before);
+      const Diagnostics after = findings_of(fixed.text, options);
+      for (const auto& [key, count] : counts(after)) {
+        EXPECT_TRUE(stopped || key.first->kind == CodeKind::absence || count <= old[key])
+            << key.first->name;
+      }
+      EXPECT_LE(after.count(Severity::error), before.count(Severity::error) + (stopped ? 100 : 0));
+    }
+  }
+  EXPECT_GT(changed, 20);
+}
+
+}  // namespace
+}  // namespace scenefile

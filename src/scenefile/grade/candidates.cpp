@@ -516,38 +516,6 @@ std::vector<Tried> equal_instead(const Simulation& sim, const Tried& found,
   return equal;
 }
 
-Tried simplified(Simulation& sim, const Tried& found) {
-  if (found.mistakes.size() < 3) {
-    return found;
-  }
-  std::vector<Combination> sets;
-  for (std::size_t a = 0; a < found.mistakes.size(); ++a) {
-    for (std::size_t b = a + 1; b < found.mistakes.size(); ++b) {
-      Combination rest = found.mistakes;
-      rest.erase(rest.begin() + std::ptrdiff_t(b));
-      rest.erase(rest.begin() + std::ptrdiff_t(a));
-      for (std::uint16_t i = 0; i < sim.list.size(); ++i) {
-        if (std::find(rest.begin(), rest.end(), i) == rest.end() && fits(sim, rest, i)) {
-          sets.push_back(joined(rest, {i}));
-        }
-      }
-    }
-  }
-  const double limit =
-      sim.rated(found.mistakes, sim.score_of(found.mistakes, few_points), sim.base(few_points))
-          .merit() -
-      necessary;
-  std::vector<Tried> tried = sim.try_all(sets, few_points, 1, 1);
-  std::erase_if(tried, [&](const Tried& t) { return t.merit() < limit; });
-  sort_by_merit(tried);
-  for (const Tried& t : verified(sim, tried, 8, 1, 1)) {
-    if (equally_good(sim, t, found) && good_enough(sim, t) && each_needed(sim, t.mistakes)) {
-      return simplified(sim, t);
-    }
-  }
-  return found;
-}
-
 std::vector<Tried> likely_additions(Simulation& sim, const Combination& mistakes) {
   constexpr std::size_t glance = 60;  // points
   constexpr std::size_t max_at_a_glance = 100;

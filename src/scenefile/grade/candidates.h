@@ -77,8 +77,6 @@ Tried without_needless(Simulation& sim, Tried found);
 /// Other combinations of those tried that give the same picture without any of the mistakes found.
 std::vector<Tried> equal_instead(const Simulation& sim, const Tried& found,
                                  const std::vector<Tried>& tried);
-/// The same picture with one mistake in place of two, where there is one.
-Tried simplified(Simulation& sim, const Tried& found);
 /// The mistakes with one more, for those that explain most of the remaining difference. Scores are
 /// of some of the points.
 std::vector<Tried> likely_additions(Simulation& sim, const Combination& mistakes);

@@ -562,8 +562,7 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
       more.reset();  // sampling_causes.cpp knows better
     }
     if (more && (!found || clearly_better(*more, *found))) {
-      found = simplified(sim, *more);
-      sim.route += found->mistakes == more->mistakes ? "" : "+simplified";
+      found = more;
     } else {
       sim.route = route_of_single;
     }
@@ -573,12 +572,6 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
     if (!found || std::any_of(found->mistakes.begin(), found->mistakes.end(), imitates)) {
       likely = found ? std::vector<Combination>() : most_likely(sim, ranked);
       alone = with_fitted_functions(sim, std::move(alone), ranked, likely, found);
-    } else if (found->mistakes.size() == 1 && !reproduces_all(*found)) {
-      const std::optional<Tried> both = function_beside(sim, {found->mistakes});
-      if (both && clearly_better(*both, *found)) {
-        found = both;
-        sim.route = "function-completes";
-      }
     }
   }
   if (found && found->mistakes.size() == 1) {

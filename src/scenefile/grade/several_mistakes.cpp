@@ -18,8 +18,6 @@ using glm::dvec3;
 constexpr std::uint64_t work_for_several = 14'000'000;  // rays
 constexpr std::size_t very_few_points = 40;             // for a first, rough score
 constexpr std::size_t max_starts = 32;
-constexpr std::size_t max_starts_of_triples = 12;
-constexpr std::size_t max_in_triples = 120;  // single mistakes that are combined with a start
 
 // The picture with some mistakes, and with each single mistake in addition.
 struct Additions {
@@ -295,34 +293,6 @@ std::optional<Tried> search_from(Simulation& sim, const std::vector<Combination>
   });
 }
 
-// The mistakes whose addition explains most.
-std::vector<std::uint16_t> most_helpful(const Simulation& sim, const Additions& f) {
-  const Simulation::Base b = sim.base(f.count);
-  std::vector<std::pair<double, std::uint16_t>> order;
-  for (const std::uint16_t i : f.members) {
-    const Score s = score(sim.points, f.count, sim.finished(f.made, f.with[i]));
-    order.emplace_back(-sim.rated({}, s, b).merit(), i);
-  }
-  std::stable_sort(order.begin(), order.end());
-  order.resize(std::min(order.size(), max_in_triples));
-  std::vector<std::uint16_t> result;
-  for (const auto& [merit, i] : order) {
-    result.push_back(i);
-  }
-  return result;
-}
-
-// Combines each start with pairs of the mistakes that help it most.
-std::optional<Tried> search_triples_from(Simulation& sim, const std::vector<Combination>& starts,
-                                         double from, double to) {
-  return best_from(sim, starts, from, to, [&](const Combination& start) {
-    Additions f = additions_to(sim, start, few_points);
-    f.members = most_helpful(sim, f);
-    const std::vector<Tried> found = tried_again(sim, approximate_pairs(sim, f, 60), 60, to, to);
-    return first_good(sim, verified(sim, found, 6, to, to));
-  });
-}
-
 // Whether the curve multiplies all values by one number.
 bool is_factor(const Hypothesis& curve) {
   const dvec3 once = curve.color(dvec3(0.2));
@@ -475,26 +445,6 @@ std::vector<Combination> likely_beside_acne(std::vector<Tried> ranked,
   return likely;
 }
 
-// Mistakes that explain nearly everything, with another one that shows at few pixels.
-std::optional<Tried> nearly_alone(Simulation& sim, const std::vector<Tried>& alone) {
-  constexpr std::size_t max_count = 3;
-  Starts starts(sim);
-  for (const Tried& t : alone) {
-    if (good(t) && starts.items.size() < max_count) {
-      starts.add(t.mistakes);
-    }
-  }
-  std::optional<Tried> found;
-  const Simulation::Base b = sim.base(sim.points.size());
-  for (const Combination& start : starts.items) {
-    const Tried more = completed(sim, sim.rated(start, sim.score_of(start, sim.points.size()), b));
-    if (more.mistakes.size() > 1) {
-      found = better(found, more);
-    }
-  }
-  return found;
-}
-
 // The pairs that explain most, and of many, those that look most like the test.
 std::vector<Combination> pairs_to_extend(const Simulation& sim, std::vector<Tried> pairs) {
   constexpr double min_merit = 0.3;
@@ -521,24 +471,6 @@ std::vector<Combination> pairs_to_extend(const Simulation& sim, std::vector<Trie
   return std::move(starts.items);
 }
 
-// `found`, or one of the pairs with a third mistake, if that leaves less.
-Tried best_completed(Simulation& sim, const std::vector<Tried>& pairs, Tried found) {
-  constexpr std::size_t max_pairs = 5;
-  constexpr double clearly_less = 0.9;
-  for (std::size_t k = 0; k < std::min(max_pairs, pairs.size()); ++k) {
-    const bool known = std::includes(found.mistakes.begin(), found.mistakes.end(),
-                                     pairs[k].mistakes.begin(), pairs[k].mistakes.end());
-    if (known || !good(pairs[k]) || sim.stopped) {
-      continue;
-    }
-    Tried other = completed(sim, pairs[k]);
-    if (good_enough(sim, other) && other.score.raw < clearly_less * found.score.raw) {
-      found = std::move(other);
-    }
-  }
-  return found;
-}
-
 }  // namespace
 
 std::optional<Tried> find_several(Simulation& sim, const std::vector<Tried>& ranked,
@@ -552,13 +484,9 @@ std::optional<Tried> find_several(Simulation& sim, const std::vector<Tried>& ran
   std::vector<Tried> best = verified(sim, pairs, 16, 0.45, 0.5);
   std::optional<Tried> found;
   take_better(sim, found, first_good(sim, best), "pairs");
-  std::vector<Combination> singles;
   if (!found || !reproduces_all(*found)) {
-    take_better(sim, found, nearly_alone(sim, alone), "nearly-alone");
-  }
-  if (!found || !reproduces_all(*found)) {
-    singles = likely_starts(sim, ranked);
-    take_better(sim, found, search_from(sim, singles, 0.5, 0.7, pairs), "starts");
+    take_better(sim, found, search_from(sim, likely_starts(sim, ranked), 0.5, 0.7, pairs),
+                "starts");
   }
   if (!found || !sure(*found)) {
     take_better(sim, found, with_fitted_curve(sim, plain), "curve");
@@ -567,11 +495,6 @@ std::optional<Tried> find_several(Simulation& sim, const std::vector<Tried>& ran
     const Tried before = *found;
     found = completed(sim, *found);
     sim.route += found->mistakes == before.mistakes ? "" : "+completed";
-    if (found->mistakes.size() > 2) {
-      const Tried third = *found;
-      found = best_completed(sim, best, *found);
-      sim.route += found->mistakes == third.mistakes ? "" : "+best-completed";
-    }
   }
   if (found && sure(*found) && found->mistakes.size() < 3) {
     return found;
@@ -588,10 +511,6 @@ std::optional<Tried> find_several(Simulation& sim, const std::vector<Tried>& ran
   std::vector<Tried> triples;
   take_better(sim, found, search_from(sim, pairs_to_extend(sim, pairs), 0.7, 0.9, triples),
               "extended-pairs");
-  if (!found) {
-    singles.resize(std::min(singles.size(), max_starts_of_triples));
-    take_better(sim, found, search_triples_from(sim, singles, 0.9, 1), "triples");
-  }
   return found;
 }
 

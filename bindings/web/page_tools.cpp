@@ -5,10 +5,10 @@
 #include "scenefile/asset/image_file.h"
 #include "scenefile/base/text.h"
 #include "scenefile/compare/sheet.h"
+#include "scenefile/edit/edits.h"
 #include "scenefile/export/write_gltf.h"
 #include "scenefile/export/write_obj.h"
 #include "scenefile/export/write_pov.h"
-#include "scenefile/format/edit_camera.h"
 #include "scenefile/format/layout.h"
 #include "scenefile/format/write_scene.h"
 #include "scenefile/import/read_gltf.h"
@@ -249,11 +249,12 @@ const char* page_edit_camera(const char* path, const double* values) {
     camera.look = vector(3);
     camera.up = vector(6);
     camera.height_angle_deg = static_cast<float>(values[9]);
-    const Result<std::string> edited = edit_camera(*text, camera, {});
-    if (!edited) {
-      return error_json(edited.error().text);
+    const Result<Document> document = Document::open(*text, {});
+    const Result<Edit> edit = document ? set_camera(*document, camera) : document.error();
+    if (!edit) {
+      return error_json(edit.error().text);
     }
-    write_out("scene", *edited);
+    write_out("scene", applied(*text, *edit));
     return std::string(R"({"files":["scene"]})");
   });
 }

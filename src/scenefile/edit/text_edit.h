@@ -11,6 +11,15 @@
 
 namespace scenefile {
 
+/// The bytes [from, to) of a text.
+struct TextRange {
+  std::uint32_t from = 0;
+  std::uint32_t to = 0;
+
+  std::uint32_t size() const { return to - from; }
+  friend bool operator==(const TextRange&, const TextRange&) = default;
+};
+
 /// Replaces the bytes [at, at + size) by `text`. Without a size it inserts, without a text it
 /// removes.
 struct TextChange {

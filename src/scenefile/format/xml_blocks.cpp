@@ -347,30 +347,6 @@ void read_bare_blend(const Writer& to, const XmlAttribute& attribute, bool is_te
   }
 }
 
-// The file name: `file`, another dialect's name for it, or the first attribute that is not a
-// number.
-const XmlAttribute* find_file(const XmlContext& context, const XmlTag& tag) {
-  if (const XmlAttribute* file = tag.find("file")) {
-    return file;
-  }
-  const XmlAttribute* found = tag.find("filename");
-  for (const XmlAttribute& attribute : tag.attributes) {
-    const bool other = attribute.name != "u" && attribute.name != "v" &&
-                       parse_number(attribute.value).error == NumberError::malformed;
-    found = found == nullptr && other ? &attribute : found;
-  }
-  if (found == nullptr) {
-    context.report(xml_missing_attribute, tag,
-                   fmt::format("{} is missing the attribute file", element_text(tag.name)));
-    return nullptr;
-  }
-  context.report(xml_alias_attribute, *found,
-                 fmt::format("attribute {} of {} was read as file", escaped(found->name, 40),
-                             element_text(tag.name)),
-                 correction(found->name, "file"));
-  return found;
-}
-
 bool name_fits(const XmlContext& context, const XmlTag& tag, const XmlAttribute& attribute) {
   if (attribute.value.size() <= context.options.limits.name_bytes) {
     return true;
@@ -383,7 +359,7 @@ bool name_fits(const XmlContext& context, const XmlTag& tag, const XmlAttribute&
 
 Rare<TextureUse> read_texture(const Writer& to, bool is_texture) {
   constexpr std::string_view known[] = {"file", "u", "v"};
-  const XmlAttribute* file = find_file(to.context, to.tag);
+  const XmlAttribute* file = find_image_file(to.context, to.tag);
   if (file == nullptr || !name_fits(to.context, to.tag, *file)) {
     return {};
   }
@@ -407,6 +383,28 @@ Rare<TextureUse> read_texture(const Writer& to, bool is_texture) {
 }
 
 }  // namespace
+
+const XmlAttribute* find_image_file(const XmlContext& context, const XmlTag& tag) {
+  if (const XmlAttribute* file = tag.find("file")) {
+    return file;
+  }
+  const XmlAttribute* found = tag.find("filename");
+  for (const XmlAttribute& attribute : tag.attributes) {
+    const bool other = attribute.name != "u" && attribute.name != "v" &&
+                       parse_number(attribute.value).error == NumberError::malformed;
+    found = found == nullptr && other ? &attribute : found;
+  }
+  if (found == nullptr) {
+    context.report(xml_missing_attribute, tag,
+                   fmt::format("{} is missing the attribute file", element_text(tag.name)));
+    return nullptr;
+  }
+  context.report(xml_alias_attribute, *found,
+                 fmt::format("attribute {} of {} was read as file", escaped(found->name, 40),
+                             element_text(tag.name)),
+                 correction(found->name, "file"));
+  return found;
+}
 
 bool read_primitive_part(const XmlContext& context, const XmlTag& tag, PrimitiveDraft& draft,
                          Scene& scene) {
@@ -709,9 +707,6 @@ std::optional<Shape> read_shape(const XmlContext& context, const XmlTag& tag,
 
 namespace {
 
-constexpr AttributeForm rotate_forms[] = {{{"x", "y", "z", "angle"}}, {{"x", "y", "z", "a"}, true}};
-constexpr Signature rotate_signature{rotate_forms, 4, true, true};
-
 bool is_finite(const glm::mat4& m) {
   const float* const first = &m[0][0];
   return std::all_of(first, first + 16, [](float value) { return std::isfinite(value); });
@@ -768,7 +763,7 @@ std::optional<Transform> read_scale(const XmlContext& context, const XmlTag& tag
 }
 
 std::optional<Transform> read_rotate(const XmlContext& context, const XmlTag& tag) {
-  const std::optional<Parts> found = find_parts(context, tag, rotate_signature);
+  const std::optional<Parts> found = find_parts(context, tag, rotate_signature());
   if (!found) {
     return std::nullopt;
   }
@@ -780,7 +775,7 @@ std::optional<Transform> read_rotate(const XmlContext& context, const XmlTag& ta
     return std::nullopt;
   }
   if (axis_parts != 3) {
-    report_missing(context, tag, rotate_signature, parts);
+    report_missing(context, tag, rotate_signature(), parts);
     return std::nullopt;
   }
   if (parts[3] == nullptr) {

@@ -72,6 +72,10 @@ struct PrimitiveDraft {
   bool texture_known = true;
 };
 
+/// The file name of a texture: `file`, another dialect's name for it, or the first attribute that
+/// is not a number. Returns nullptr, after an error, if there is none.
+const XmlAttribute* find_image_file(const XmlContext& context, const XmlTag& tag);
+
 /// Reads a child of a primitive. Returns false to skip it with its contents.
 bool read_primitive_part(const XmlContext& context, const XmlTag& tag, PrimitiveDraft& draft,
                          Scene& scene);

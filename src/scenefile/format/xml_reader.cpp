@@ -42,22 +42,6 @@ std::string_view reference_at(std::string_view text, std::size_t at) {
   return text.substr(at, text.find(';', at) + 1 - at);
 }
 
-// An attribute's value with references resolved and line breaks replaced, as XML demands.
-std::string decoded_value(std::string_view value) {
-  std::string text;
-  for (std::size_t at = 0; at < value.size(); ++at) {
-    const char c = value[at];
-    if (c == '&') {
-      const std::string_view reference = reference_at(value, at);
-      text += resolved(reference);
-      at += reference.size() - 1;
-    } else if (c != '\r' || !value.substr(at).starts_with("\r\n")) {
-      text += blanks.find(c) == std::string_view::npos ? c : ' ';
-    }
-  }
-  return text;
-}
-
 class EventReader {
  public:
   EventReader(std::string_view text, const ReadOptions& options, TextPlaces& places,
@@ -281,6 +265,21 @@ void EventReader::close() {
 }
 
 }  // namespace
+
+std::string decoded_value(std::string_view value) {
+  std::string text;
+  for (std::size_t at = 0; at < value.size(); ++at) {
+    const char c = value[at];
+    if (c == '&') {
+      const std::string_view reference = reference_at(value, at);
+      text += resolved(reference);
+      at += reference.size() - 1;
+    } else if (c != '\r' || !value.substr(at).starts_with("\r\n")) {
+      text += blanks.find(c) == std::string_view::npos ? c : ' ';
+    }
+  }
+  return text;
+}
 
 XmlReading read_events(std::string_view text, const ReadOptions& options, TextPlaces& places,
                        XmlHandler& handler, Diagnostics& diagnostics) {

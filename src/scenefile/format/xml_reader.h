@@ -6,6 +6,7 @@
 #include "scenefile/format/text_places.h"
 #include "scenefile/format/xml_scanner.h"
 
+#include <string>
 #include <string_view>
 
 namespace scenefile {
@@ -36,5 +37,9 @@ struct XmlReading {
 /// text. Memory does not depend on the length of the text if it is plain.
 XmlReading read_events(std::string_view text, const ReadOptions& options, TextPlaces& places,
                        XmlHandler& handler, Diagnostics& diagnostics);
+
+/// An attribute's value as XML demands: references resolved, line breaks replaced. The text must be
+/// well-formed.
+std::string decoded_value(std::string_view written);
 
 }  // namespace scenefile

@@ -28,9 +28,7 @@ constexpr AttributeForm attenuation_forms[] = {
     {{"v1", "v2", "v3"}}, {{"x", "y", "z"}}, {{"a", "b", "c"}}};
 constexpr AttributeForm row_forms[] = {{{"a", "b", "c", "d"}}, {{"v1", "v2", "v3", "v4"}}};
 
-constexpr Signature single_signature{single_forms, 1};
-constexpr Signature word_signature{word_forms, 1};
-constexpr Signature row_signature{row_forms, 4};
+constexpr AttributeForm rotate_forms[] = {{{"x", "y", "z", "angle"}}, {{"x", "y", "z", "a"}, true}};
 
 struct FoundForm {
   Parts parts{};
@@ -329,24 +327,6 @@ std::string number_hint(std::string_view meant) {
   return meant.empty() ? "; numbers are written like 1.5 or -2e3" : did_you_mean(meant);
 }
 
-// The names of the three parts of a value.
-Signature signature_of_three(ValueKind kind) {
-  switch (kind) {
-    case ValueKind::color:
-      return {color_forms, 3};
-    case ValueKind::coefficients:
-      return {attenuation_forms, 3};
-    case ValueKind::number:
-    case ValueKind::vector:
-    case ValueKind::id:
-    case ValueKind::word:
-    case ValueKind::text:
-    case ValueKind::texture:
-      break;
-  }
-  return {vector_forms, 3};
-}
-
 template <typename Owner, std::size_t N>
 void find_kind(const ValueRow<Owner> (&rows)[N], std::string_view element,
                std::optional<ValueKind>& kind) {
@@ -359,12 +339,41 @@ void find_kind(const ValueRow<Owner> (&rows)[N], std::string_view element,
 
 }  // namespace
 
+Signature signature_of(ValueKind kind) {
+  switch (kind) {
+    case ValueKind::number:
+      return {single_forms, 1};
+    case ValueKind::id:
+    case ValueKind::word:
+    case ValueKind::text:
+      return {word_forms, 1};
+    case ValueKind::color:
+      return {color_forms, 3};
+    case ValueKind::coefficients:
+      return {attenuation_forms, 3};
+    case ValueKind::vector:
+    case ValueKind::texture:
+      break;
+  }
+  return {vector_forms, 3};
+}
+
+Signature rotate_signature() {
+  return {rotate_forms, 4, true, true};
+}
+
+Signature row_signature() {
+  return {row_forms, 4};
+}
+
 std::string element_text(std::string_view name) {
   return fmt::format("<{}>", escaped(name, 40));
 }
 
 std::span<const std::string_view> part_names(ValueKind kind) {
-  return std::span(signature_of_three(kind).forms.front().names).first(3);
+  const Signature signature = signature_of(kind);
+  const auto& form = signature.parts == 3 ? signature.forms.front() : vector_forms[0];
+  return std::span(form.names).first(3);
 }
 
 std::string did_you_mean(std::string_view name, std::string_view mark) {
@@ -419,7 +428,7 @@ std::string as_attributes(std::string_view element, std::string_view text) {
     names = {"v"};
     numbers = {word};
   } else if (numbers.size() == 3) {
-    const auto& form = signature_of_three(kind).forms.front().names;
+    const auto form = part_names(kind);
     names.assign(form.begin(), form.begin() + 3);
   } else if (numbers.size() == 4 && element == transform_word<Rotate>) {
     names = {"x", "y", "z", "angle"};
@@ -555,25 +564,25 @@ bool read_numbers(const XmlContext& context, const XmlTag& tag, const Parts& par
 }
 
 bool read_single(const XmlContext& context, const XmlTag& tag, float& number) {
-  const std::optional<Parts> parts = find_parts(context, tag, single_signature);
+  const std::optional<Parts> parts = find_parts(context, tag, signature_of(ValueKind::number));
   number = 0;
   return parts && read_number(context, tag, *(*parts)[0], number);
 }
 
 bool read_three(const XmlContext& context, const XmlTag& tag, ValueKind kind, glm::vec3& value) {
-  const std::optional<Parts> parts = find_parts(context, tag, signature_of_three(kind));
+  const std::optional<Parts> parts = find_parts(context, tag, signature_of(kind));
   value = {};
   return parts && read_numbers(context, tag, *parts, {&value.x, 3});
 }
 
 bool read_matrix_row(const XmlContext& context, const XmlTag& tag, glm::vec4& row) {
-  const std::optional<Parts> parts = find_parts(context, tag, row_signature);
+  const std::optional<Parts> parts = find_parts(context, tag, row_signature());
   row = {};
   return parts && read_numbers(context, tag, *parts, {&row.x, 4});
 }
 
 std::optional<std::string_view> read_word(const XmlContext& context, const XmlTag& tag) {
-  const std::optional<Parts> parts = find_parts(context, tag, word_signature);
+  const std::optional<Parts> parts = find_parts(context, tag, signature_of(ValueKind::word));
   return parts ? std::optional((*parts)[0]->value) : std::nullopt;
 }
 

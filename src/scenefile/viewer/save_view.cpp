@@ -1,6 +1,6 @@
 #include "scenefile/viewer/save_view.h"
 
-#include "scenefile/format/edit_camera.h"
+#include "scenefile/edit/edits.h"
 #include "scenefile/io/file.h"
 
 #include <utility>
@@ -30,12 +30,14 @@ Result<std::string> save_view(const std::string& path, std::string_view known, c
   if (!now) {
     return now.error();
   }
-  Result<std::string> edited = edit_camera(*now, camera, options);
-  if (!edited || *edited == *now) {
-    return edited;
+  const Result<Document> document = Document::open(*now, options);
+  const Result<Edit> edit = document ? set_camera(*document, camera) : document.error();
+  if (!edit || edit->changes.empty()) {
+    return edit ? now : Result<std::string>(edit.error());
   }
-  const Result<void> written = write_file(path, *edited);
-  return written ? std::move(edited) : written.error();
+  std::string edited = applied(*now, *edit);
+  const Result<void> written = write_file(path, edited);
+  return written ? Result<std::string>(std::move(edited)) : written.error();
 }
 
 Result<std::string> restore_text(const std::string& path, std::string_view known,

@@ -10,7 +10,7 @@
 
 namespace scenefile::viewer {
 
-/// Sets the camera of the file at `path` with edit_camera(). Returns the new contents of the file,
+/// Sets the camera of the file at `path` with set_camera(). Returns the new contents of the file,
 /// or why it was not changed: its contents differ from `known`, those last read; it is standard
 /// input; it cannot be edited or written. The file is replaced atomically.
 Result<std::string> save_view(const std::string& path, std::string_view known, const Camera& camera,

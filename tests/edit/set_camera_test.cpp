@@ -27,7 +27,7 @@ std::string refusal(std::string_view bytes, const Camera& camera, const ReadOpti
 
 using ::testing::HasSubstr;
 
-std::string xml_with(const std::string& camera) {
+std::string with_camera(const std::string& camera) {
   return "<?xml version='1.0'?>\n<!-- mine -->\n<scenefile>\n"
          "  <globaldata><ambientcoeff v=\"1\"/><diffusecoeff v=\"1\"/><specularcoeff v=\"1\"/>"
          "</globaldata>\n" +
@@ -58,7 +58,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 TEST(SetCamera, ChangesTheNumbersThatDifferAndNothingElse) {
-  const std::string text = xml_with(block);
+  const std::string text = with_camera(block);
   EXPECT_EQ(edited(text, camera_at({1, 2, 3.5F}), {}), text);
   EXPECT_EQ(edited(text, camera_at({1, 2.25F, 3.5F}), {}),
             replaced(text, "y=\"2\" />", "y=\"2.25\" />"));
@@ -69,15 +69,15 @@ TEST(SetCamera, ChangesTheNumbersThatDifferAndNothingElse) {
 }
 
 TEST(SetCamera, FocusIsAPoint) {
-  const std::string text = xml_with(replaced(block, "<look x=\"0\" y=\"0\" z=\"-1\"></look>",
-                                             "<focus x=\"1\" y=\"2\" z=\"0\"/>"));
+  const std::string text = with_camera(replaced(block, "<look x=\"0\" y=\"0\" z=\"-1\"></look>",
+                                                "<focus x=\"1\" y=\"2\" z=\"0\"/>"));
   EXPECT_EQ(edited(text, camera_at({1, 2, 7}, {0, 0, -7}), {}), replaced(text, "'3.50'", "'7'"));
   EXPECT_EQ(edited(text, camera_at({1, 2, 3.5F}, {0, 1, 0.5F}), {}),
             replaced(text, "<focus x=\"1\" y=\"2\" z=\"0\"/>", "<focus x=\"1\" y=\"3\" z=\"4\"/>"));
 }
 
 TEST(SetCamera, OtherSpellings) {
-  const std::string text = xml_with(
+  const std::string text = with_camera(
       "<cameradata><pos a=\"1\" b=\"2\" c=\"3\"/><look x=\"0\" y=\"0\" z=\"-1\"/>"
       "<up x=\"0\" y=\"1\" z=\"0\"/><angle value=\"45\"/></cameradata>");
   const std::string edit = edited(text, camera_at({1, 2, 4}, {0, 0, -1}, 60), {});
@@ -85,27 +85,27 @@ TEST(SetCamera, OtherSpellings) {
 }
 
 TEST(SetCamera, TheLastCameraCounts) {
-  const std::string text = xml_with(block + "\n" + block);
+  const std::string text = with_camera(block + "\n" + block);
   const std::string edit = edited(text, camera_at({1, 9, 3.5F}), {});
-  EXPECT_EQ(edit, xml_with(block + "\n" + replaced(block, "y=\"2\"", "y=\"9\"")));
+  EXPECT_EQ(edit, with_camera(block + "\n" + replaced(block, "y=\"2\"", "y=\"9\"")));
 }
 
 TEST(SetCamera, MissingValuesAreAddedInTheStyleOfTheirNeighbors) {
-  const std::string text = xml_with(
+  const std::string text = with_camera(
       "  <cameradata>\n    <pos x=\"1\" y=\"2\" z=\"3\"/>\n    <look x=\"0\" y=\"0\" "
       "z=\"-1\"></look>\n  </cameradata>");
   EXPECT_EQ(edited(text, camera_at({1, 2, 3}), {}), text);
   EXPECT_EQ(edited(text, camera_at({1, 2, 3}, {0, 0, -1}, 50), {}),
             replaced(text, "</look>", "</look>\n    <heightangle v=\"50\"/>"));
-  const std::string empty = xml_with("  <cameradata>\n  </cameradata>");
+  const std::string empty = with_camera("  <cameradata>\n  </cameradata>");
   EXPECT_THAT(edited(empty, camera_at({1, 2, 3}), {}),
               HasSubstr("<cameradata>\n    <pos x=\"1\" y=\"2\" z=\"3\"/>\n    <look"));
 }
 
 TEST(SetCamera, AFileWithoutCameraGetsOne) {
-  const std::string edit = edited(xml_with(""), camera_at({1, 2, 3}), {});
+  const std::string edit = edited(with_camera(""), camera_at({1, 2, 3}), {});
   EXPECT_EQ(edit,
-            replaced(xml_with(""), "</globaldata>",
+            replaced(with_camera(""), "</globaldata>",
                      "</globaldata>\n  <cameradata>\n    <pos x=\"1\" y=\"2\" z=\"3\"/>\n"
                      "    <look x=\"0\" y=\"0\" z=\"-1\"/>\n    <up x=\"0\" y=\"1\" z=\"0\"/>\n"
                      "    <heightangle v=\"45\"/>\n  </cameradata>"));
@@ -118,7 +118,7 @@ const std::string camera_json =
     "    {\"primitives\": [{\"type\":\"sphere\"}]}\n  ]\n}\n";
 
 TEST(SetCamera, OtherErrorsDoNotMatter) {
-  const std::string text = replaced(xml_with(block), "sphere", "spheree");
+  const std::string text = replaced(with_camera(block), "sphere", "spheree");
   EXPECT_EQ(edited(text, camera_at({1, 2, 4}), {}), replaced(text, "3.50", "4"));
   EXPECT_EQ(edited("<scenefile><object type=\"tree\" name=\"root\"/></scenefile>",
                    camera_at({1, 2, 3}), {}),
@@ -143,7 +143,7 @@ TEST(SetCamera, RejectsWhatItCannotExpress) {
   EXPECT_THAT(refusal("<scenefile>", camera, {}), HasSubstr("correct that in the text first"));
   EXPECT_EQ(edited("<scenefile>", camera, {}), "");
   std::string wide = "\xFF\xFE";
-  for (const char c : xml_with(block)) {
+  for (const char c : with_camera(block)) {
     wide += {c, '\0'};
   }
   EXPECT_THAT(refusal(wide, camera, {}), HasSubstr("UTF-16"));
@@ -154,7 +154,7 @@ TEST(SetCamera, RejectsWhatItCannotExpress) {
 
 TEST(SetCamera, LatinLettersStay) {
   std::string text = "<?xml version='1.0' encoding='iso-8859-1'?><!-- \xE9 -->" +
-                     xml_with(block).substr(xml_with(block).find("<scenefile>"));
+                     with_camera(block).substr(with_camera(block).find("<scenefile>"));
   EXPECT_EQ(edited(text, camera_at({1, 2, 4}), {}), replaced(text, "3.50", "4"));
 }
 
@@ -165,7 +165,7 @@ RC_GTEST_PROP(SetCamera, ThereAndBack, ()) {
   RC_PRE(glm::length(camera.look) > 0.5F && std::abs(camera.look.x) > 0.1F);
   camera.height_angle_deg = 1 + std::abs(part());
   RC_PRE(camera.height_angle_deg < 170);
-  const std::string text = *rc::gen::element(xml_with(block), camera_json);
+  const std::string text = *rc::gen::element(with_camera(block), camera_json);
   const Camera before = camera_at(text == camera_json ? glm::vec3{1, 2, 3} : glm::vec3{1, 2, 3.5F});
   const std::string there = edited(text, camera, {});
   RC_ASSERT(!there.empty());

@@ -24,7 +24,9 @@ std::vector<std::string> comments_of(const Document& document) {
     XmlScanner scanner(document.text());
     for (XmlToken token; scanner.next(token);) {
       if (token.kind == XmlTokenKind::comment) {
-        comments.emplace_back(token.written);
+        std::string comment(token.written);  // whose lines may be indented anew
+        std::erase_if(comment, [](char c) { return c == ' ' || c == '\t'; });
+        comments.push_back(std::move(comment));
       }
     }
   }
@@ -50,9 +52,24 @@ std::string dense(std::string_view text) {
     drop(list, "");
   }
   drop("/>", ">");
-  drop("</object>", "");
-  drop("</scenefile>", "");
+  for (std::size_t at = 0; (at = out.find("</", at)) != std::string::npos;) {
+    out.erase(at, out.find('>', at) + 1 - at);
+  }
   return out;
+}
+
+bool same_node(const Node& a, const Node& b) {
+  return a.name == b.name && a.transforms == b.transforms && a.lights == b.lights &&
+         a.primitives == b.primitives && a.children == b.children && a.instance_of == b.instance_of;
+}
+
+// How many of the nodes, the camera and the global data differ.
+std::size_t changed_parts(const Scene& a, const Scene& b) {
+  std::size_t count = (a.global == b.global ? 0U : 1U) + (a.camera == b.camera ? 0U : 1U);
+  for (std::size_t i = 0; i < std::max(a.nodes.size(), b.nodes.size()); ++i) {
+    count += i >= a.nodes.size() || i >= b.nodes.size() || !same_node(a.nodes[i], b.nodes[i]);
+  }
+  return count;
 }
 
 bool has_errors(const Document& document) {
@@ -141,7 +158,8 @@ class Laws {
     std::vector<std::string> values;
     for (ItemId id = 0; id < document.items().size(); ++id) {
       for (const FieldView& field : document.fields(id)) {
-        const bool same = id == item && field.name == without &&
+        // Several objects may share their transforms.
+        const bool same = field.name == without && (id == item || field.transform) &&
                           (!field.transform || field.place.from == place.from);
         for (const FieldPart& part : field.parts) {
           if (!same && part.written) {
@@ -187,13 +205,8 @@ class Laws {
               what + ": other values\n" + edited->text());
       require(edit->changes.size() <= 1, what + ": more than one change");
     }
-    const std::vector<SceneDifference> differences = diff(document.scene(), edited->scene());
-    if (!has_errors(document) && !has_errors(*edited) && field.written) {
-      // A light is matched by its id, and <focus> makes the direction depend on the position.
-      const bool several = field.kind == FieldKind::id || document[item].kind == ItemKind::camera;
-      require(differences.size() <= 1 || several,
-              fmt::format("{}: {} differences\n{}", what, differences.size(), edited->text()));
-    }
+    require(!field.written || changed_parts(document.scene(), edited->scene()) <= 1,
+            what + ": more than one part of the scene changed\n" + edited->text());
     if (field.written && field.parts[part].written && !has_errors(document)) {
       const std::vector<FieldView> fields = edited->fields(item);
       const auto same = std::find_if(fields.begin(), fields.end(), [&](const FieldView& now) {
@@ -241,10 +254,12 @@ class Laws {
       const Result<Edit> edit = reorder_item(document, item, step);
       if (const auto moved = after(document, edit, fmt::format("reorder {} {}", name, step))) {
         const std::optional<ItemId> found = item_from(*moved, edit->select);
-        require(found.has_value(), "reorder " + name + ": lost\n" + moved->text());
+        // Of two templates of the same name, only the first counts.
+        const bool faulty = has_errors(document);
+        require(faulty || found.has_value(), "reorder " + name + ": lost\n" + moved->text());
         const Result<Edit> back =
             found ? reorder_item(*moved, *found, -step) : Result<Edit>(Edit{});
-        require(back && applied(moved->text(), *back) == document.text(),
+        require(faulty || (back && applied(moved->text(), *back) == document.text()),
                 "reorder " + name + ": there and back\n" + moved->text());
       }
     }

@@ -2,6 +2,7 @@
 
 #include "scenefile/base/ascii.h"
 #include "scenefile/base/number.h"
+#include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/edit/document_state.h"
 #include "scenefile/edit/layout.h"
@@ -231,10 +232,13 @@ class FieldList {
     const ReadTag tag(syntax_, item_.element);
     FieldView& field = add(word, no_part);
     const WrittenAttribute* found = nullptr;
-    for (const WrittenAttribute& attribute : tag.written) {
-      const bool exact = attribute.name == name;
-      const bool first = found == nullptr || found->name != name;
-      found = exact || (first && equal_ignoring_case(attribute.name, name)) ? &attribute : found;
+    if (const std::optional<ObjectTag> object = read_object_tag(reader_.context, tag.tag)) {
+      const std::string_view value = name == "name" ? object->name : object->filename;
+      for (const XmlAttribute& attribute : tag.attributes) {  // it may be misspelled
+        found = value.data() != nullptr && attribute.value.data() == value.data()
+                    ? tag.written_as(&attribute)
+                    : found;
+      }
     }
     if (found != nullptr) {
       field.written = true;
@@ -552,6 +556,12 @@ Result<Document> Document::open(std::string text, const ReadOptions& options) {
     return syntax.error();
   }
   state->syntax = *std::move(syntax);
+  constexpr std::string_view scenefile = "scenefile";
+  const std::string_view outer = state->syntax.xml ? state->syntax.name(0) : scenefile;
+  if (!equal_ignoring_case(outer, scenefile) && nearest_name(outer, {&scenefile, 1}).empty()) {
+    return input_error(fmt::format(
+        "the file is not a scene: it begins with {} instead of <scenefile>", element_text(outer)));
+  }
   if (state->text.starts_with("<?xml")) {
     constexpr std::string_view letter = "\xC3\xA9";
     state->declaration = state->text.substr(0, state->text.find("?>") + 2);

@@ -1,5 +1,6 @@
 #include "scenefile/edit/edits.h"
 
+#include "scenefile/base/ascii.h"
 #include "scenefile/base/number.h"
 #include "scenefile/base/text.h"
 #include "scenefile/edit/document_state.h"

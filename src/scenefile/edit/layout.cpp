@@ -129,6 +129,13 @@ std::size_t Layout::after_remarks(std::size_t at) const {
   }
 }
 
+// Past white space at the end of a line, which belongs to what is before it.
+std::size_t Layout::line_end_at(std::size_t at) const {
+  const std::size_t next = std::min(text_.find_first_not_of(" \t", at), text_.size());
+  const std::string_view rest = text_.substr(next);
+  return rest.empty() || rest[0] == '\n' || rest.starts_with("\r\n") ? next : at;
+}
+
 TextRange Layout::with_remarks(TextRange range, std::size_t limit) const {
   std::size_t start = range.from;
   for (;;) {
@@ -254,9 +261,11 @@ Insertion Layout::insert_children(PartId id, PartId previous, std::span<const Pi
   }
   if (previous != no_part) {
     const TextRange place = syntax_[previous].range();
-    if (starts_line(place.from)) {
+    const std::size_t end = line_end_at(after_remarks(place.to));
+    const bool ends_line = end == text_.size() || text_[end] == '\n' || text_[end] == '\r';
+    if (starts_line(place.from) && ends_line) {
       const std::string indent(indent_at(place.from));
-      return {insertion_at(after_remarks(place.to), joined(indent, line_end_ + indent, "", lines)),
+      return {insertion_at(end, joined(indent, line_end_ + indent, "", lines)),
               line_end_.size() + indent.size()};
     }
     const std::size_t index = syntax_.index(previous);

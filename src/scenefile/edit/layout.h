@@ -79,6 +79,7 @@ class Layout {
   std::size_t line_start(std::size_t at) const;
   bool starts_line(std::size_t at) const;
   std::size_t after_remarks(std::size_t at) const;
+  std::size_t line_end_at(std::size_t at) const;
   std::string_view gap_before(PartId list, std::size_t index) const;
   std::string colon_of(PartId object) const;
   void write_element(std::string& out, const Fresh& fresh, const std::string& indent,

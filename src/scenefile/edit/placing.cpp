@@ -411,10 +411,11 @@ Result<Edit> place_item(const Document& document, const Handle& handle,
     }
   }
   const std::optional<Decomposed> parts = decomposed(local, signs);
-  // Several entries cannot be inserted one by one.
-  const bool is_empty =
-      !document.is_xml() && document.state().syntax[document[handle.item].element].children.empty();
-  if (!parts || !is_simple(transforms, document[handle.item], document.is_xml()) || is_empty) {
+  // Several parts cannot be inserted one by one into something empty.
+  const Item& item = document[handle.item];
+  const PartId container = document.is_xml() ? item.block : item.element;
+  const bool is_empty = document.state().syntax[container].children.empty();
+  if (!parts || !is_simple(transforms, item, document.is_xml()) || is_empty) {
     return set_matrix(document, handle.item, transforms, local);
   }
   const std::array<double, 4> turn = axis_angle(parts->rotation);

@@ -143,7 +143,7 @@ class FieldList {
 
   void fill(FieldPart& part, const WrittenAttribute* attribute) const {
     if (attribute != nullptr) {
-      fill(part, attribute->value, state_.utf8(decoded_value(syntax_.slice(attribute->value))));
+      fill(part, attribute->value, decoded_value(state_.utf8(syntax_.slice(attribute->value))));
     }
   }
 
@@ -229,7 +229,7 @@ class FieldList {
 
   // A field that is an attribute of the item's element.
   FieldView& own(const FieldWord& word, std::string_view name) {
-    const ReadTag tag(syntax_, item_.element);
+    const ReadTag tag(state_, item_.element);
     FieldView& field = add(word, no_part);
     const WrittenAttribute* found = nullptr;
     if (const std::optional<ObjectTag> object = read_object_tag(reader_.context, tag.tag)) {
@@ -251,7 +251,7 @@ class FieldList {
 
   void list_shape() {
     own(shape_field, "name");
-    const ReadTag tag(syntax_, item_.element);
+    const ReadTag tag(state_, item_.element);
     const bool other = tag.tag.find("filename") == nullptr && tag.tag.find("meshfile") != nullptr;
     FieldView& file = own(mesh_field, other ? "meshfile" : "filename");
     file.needed = item_.name == "mesh";
@@ -313,12 +313,12 @@ class FieldList {
       return field;
     }
     field.place = syntax_[element].range();
-    const ReadTag tag(syntax_, element);
+    const ReadTag tag(state_, element);
     std::vector<const WrittenAttribute*> found;
     if (word.kind == FieldKind::matrix) {
       const std::vector<PartId>& rows = syntax_[element].children;
       for (std::size_t r = 0; r < std::min<std::size_t>(rows.size(), 4); ++r) {
-        const ReadTag row(syntax_, rows[r]);
+        const ReadTag row(state_, rows[r]);
         found = attributes_of(reader_.context, row, row_signature());
         for (std::size_t i = 0; i < 4; ++i) {
           fill(field.parts[4 * r + i], found[i]);
@@ -494,16 +494,20 @@ std::string Document::State::attribute_value(std::string_view value) const {
   return out;
 }
 
-ReadTag::ReadTag(const Syntax& syntax, PartId element) : written(syntax.attributes(element)) {
+ReadTag::ReadTag(const Document::State& state, PartId element)
+    : written(state.syntax.attributes(element)) {
   values.reserve(written.size());
   for (const WrittenAttribute& attribute : written) {
-    std::string_view value = syntax.slice(attribute.value);
-    if (value.find_first_of("&\t\r\n") != value.npos) {
-      value = values.emplace_back(decoded_value(value));
+    std::string_view value = state.syntax.slice(attribute.value);
+    const bool is_plain = std::all_of(value.begin(), value.end(), [](char c) {
+      return c >= ' ' && c != '&' && static_cast<unsigned char>(c) < 0x80;
+    });
+    if (!is_plain) {
+      value = values.emplace_back(decoded_value(state.utf8(value)));
     }
     attributes.push_back({attribute.name, value});
   }
-  tag = {syntax.name(element), attributes, syntax.places[element]};
+  tag = {state.syntax.name(element), attributes, state.syntax.places[element]};
 }
 
 std::vector<const WrittenAttribute*> field_attributes(const XmlContext& context,
@@ -524,7 +528,7 @@ const FieldWord* word_of_child(const Document::State& state, const XmlContext& c
   std::string decoded;
   std::string_view name = state.syntax.name(child);
   if (xml) {
-    const ReadTag tag(state.syntax, child);
+    const ReadTag tag(state, child);
     name = known_name(context, tag.tag, kind);
   } else if (name.find('\\') != name.npos) {
     decoded = state.syntax.tape.string(state.syntax[child].item - 1);

@@ -32,9 +32,9 @@ struct Document::State {
 /// Fills `items` from the syntax and the scene.
 void find_items(Document::State& state);
 
-/// A start tag as the XML reader gets it. Not copyable.
+/// A start tag as the XML reader gets it: values in UTF-8, without references. Not copyable.
 struct ReadTag {
-  ReadTag(const Syntax& syntax, PartId element);
+  ReadTag(const Document::State& state, PartId element);
   ReadTag(const ReadTag&) = delete;
   ReadTag& operator=(const ReadTag&) = delete;
 

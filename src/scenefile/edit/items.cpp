@@ -144,12 +144,12 @@ class ItemFinder {
   }
 
   ItemId add_object(PartId object, PartId block, NodeId node, ItemId parent) {
-    const ReadTag tag(syntax_, object);
+    const ReadTag tag(state_, object);
     const std::optional<ObjectTag> read = read_object_tag(reader_.context, tag.tag);
     const auto own = nodes_.find(object);
     const NodeId placed = own == nodes_.end() ? node : own->second;
     const std::string& master = scene_.nodes[placed].instance_of;
-    const std::string name = read ? state_.utf8(read->name) : std::string();
+    const std::string name = read ? std::string(read->name) : std::string();
     ItemKind kind = ItemKind::unread;
     std::string shown = name;
     if (const auto primitive = primitives_.find(object); primitive != primitives_.end()) {
@@ -222,7 +222,7 @@ class ItemFinder {
 std::string_view child_name(const Document::State& state, const XmlContext& context, PartId child) {
   constexpr FieldName top_names[] = {
       {"globaldata", 0}, {"cameradata", 1}, {"lightdata", 2}, {"object", 3}};
-  const ReadTag tag(state.syntax, child);
+  const ReadTag tag(state, child);
   const bool top = state.syntax[child].parent == 0;
   const std::span<const FieldName> names =
       top ? std::span<const FieldName>(top_names) : std::span<const FieldName>(transblock_names);

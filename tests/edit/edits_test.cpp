@@ -1,0 +1,229 @@
+#include "scenefile/edit/edits.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace scenefile {
+
+namespace {
+
+using ::testing::HasSubstr;
+using Make = std::function<Result<Edit>(const Document&)>;
+
+std::string after_edit(const std::string& text, const Make& make) {
+  const Result<Document> document = Document::open(text, {});
+  const Result<Edit> edit = document ? make(*document) : document.error();
+  return edit ? applied(text, *edit) : "error: " + edit.error().text;
+}
+
+ItemId nth(const Document& document, ItemKind kind, int n = 0) {
+  for (ItemId id = 0; id < document.items().size(); ++id) {
+    if (document[id].kind == kind && n-- == 0) {
+      return id;
+    }
+  }
+  return 0;
+}
+
+Make setting(ItemKind kind, std::string name, std::size_t part, std::string value) {
+  return [=](const Document& document) {
+    const ItemId item = nth(document, kind);
+    for (const FieldView& field : document.fields(item)) {
+      if (field.name == name) {
+        return set_value(document, item, field, part, value);
+      }
+    }
+    return Result<Edit>(Error{"no such field"});
+  };
+}
+
+std::string with(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+const std::string scene_xml =
+    "<scenefile>\r\n"
+    "\t<lightdata>\r\n"
+    "\t\t<id v='0'/> <type v=\"directional\"/>\r\n"
+    "\t\t<color r=\"1\" g=\"1\" b=\"1\"/>\r\n"
+    "\t\t<direction x=\"0\" y=\"-1\" z=\"0\"/>\r\n"
+    "\t</lightdata>\r\n"
+    "\t<object type=\"tree\" name=\"leg\">\r\n"
+    "\t\t<transblock><object type=\"primitive\" name=\"cylinder\"/></transblock>\r\n"
+    "\t</object>\r\n"
+    "\t<object type=\"tree\" name=\"root\">\r\n"
+    "\t\t<!-- left -->\r\n"
+    "\t\t<transblock>\r\n"
+    "\t\t\t<object type=\"master\" name=\"leg\"/>\r\n"
+    "\t\t</transblock>\r\n"
+    "\t\t<transblock>\r\n"
+    "\t\t\t<translate x=\"1\" y=\"0\" z=\"0\"/>\r\n"
+    "\t\t\t<object type=\"primitive\" name=\"cube\">\r\n"
+    "\t\t\t\t<diffuse r=\"1\" g=\"0\" b=\"0\"/>\r\n"
+    "\t\t\t</object>\r\n"
+    "\t\t</transblock>\r\n"
+    "\t</object>\r\n"
+    "</scenefile>\r\n";
+
+const std::string scene_json =
+    "{\n"
+    "  \"globalData\": {\"ambientCoeff\": 0.5, \"diffuseCoeff\": 0.5, \"specularCoeff\": 0.5},\n"
+    "  \"cameraData\": {\"position\": [0, 0, 5], \"up\": [0, 1, 0], \"focus\": [0, 0, 0],\n"
+    "                 \"heightAngle\": 45},\n"
+    "  \"groups\": [\n"
+    "    {\n"
+    "      \"lights\": [\n"
+    "        {\"type\": \"directional\", \"color\": [1, 1, 1], \"direction\": [0, -1, 0]}\n"
+    "      ]\n"
+    "    },\n"
+    "    {\n"
+    "      \"name\": \"ball\",\n"
+    "      \"primitives\": [\n"
+    "        {\"type\": \"sphere\", \"diffuse\": [1, 0, 0]}\n"
+    "      ]\n"
+    "    }\n"
+    "  ]\n"
+    "}\n";
+
+TEST(Edits, AValueChangesNothingElse) {
+  EXPECT_EQ(after_edit(scene_xml, setting(ItemKind::light, "direction", 1, "-0.50")),
+            with(scene_xml, "y=\"-1\"", "y=\"-0.50\""));
+  EXPECT_EQ(after_edit(scene_json, setting(ItemKind::camera, "heightAngle", 0, "60")),
+            with(scene_json, "45", "60"));
+  EXPECT_EQ(after_edit(scene_xml, setting(ItemKind::light, "color", 0, "red")),
+            "error: Color r: \"red\" is not a number; write one like 1.5 or -2e3");
+}
+
+TEST(Edits, NewFieldsComeInTheOrderOfTheFormat) {
+  EXPECT_EQ(after_edit(with(scene_xml, "name=\"cylinder\"", "name=\"mesh\" filename=\"a.obj\""),
+                       [](const Document& document) {
+                         const ItemId item = nth(document, ItemKind::primitive, 1);
+                         for (const FieldView& field : document.fields(item)) {
+                           if (field.name == "texture") {
+                             return set_value(document, item, field, 0, "a&b.png");
+                           }
+                         }
+                         return Result<Edit>(Error{"no such field"});
+                       }),
+            with(with(scene_xml, "name=\"cylinder\"", "name=\"mesh\" filename=\"a.obj\""),
+                 "<diffuse r=\"1\" g=\"0\" b=\"0\"/>\r\n",
+                 "<diffuse r=\"1\" g=\"0\" b=\"0\"/>\r\n\t\t\t\t<texture file=\"a&amp;b.png\"/>\r\n"
+                 "\t\t\t\t<blend v=\"1\"/>\r\n"));
+  EXPECT_EQ(after_edit(scene_json, setting(ItemKind::camera, "look", 2, "-2")),
+            with(scene_json, "\"focus\": [0, 0, 0]", "\"look\": [-1, -1, -2]"));
+}
+
+TEST(Edits, ALightGetsTheFieldsOfItsType) {
+  EXPECT_EQ(
+      after_edit(scene_xml, setting(ItemKind::light, "type", 0, "point")),
+      with(with(scene_xml, "\t\t<direction x=\"0\" y=\"-1\" z=\"0\"/>\r\n", ""),
+           "<color r=\"1\" g=\"1\" b=\"1\"/>\r\n",
+           "<color r=\"1\" g=\"1\" b=\"1\"/>\r\n\t\t<position x=\"2\" y=\"5\" z=\"3\"/>\r\n"));
+  EXPECT_THAT(
+      after_edit(scene_json, setting(ItemKind::light, "type", 0, "point")),
+      HasSubstr("{\"type\": \"point\", \"color\": [1, 1, 1], \"attenuationCoeff\": [1, 0, 0]}"));
+  EXPECT_THAT(after_edit(scene_xml, setting(ItemKind::light, "type", 0, "sun")),
+              HasSubstr("is not one of point, directional, spot, area"));
+}
+
+TEST(Edits, ARenamedTemplateKeepsItsInstances) {
+  const std::string edited =
+      after_edit(scene_xml, setting(ItemKind::master, "name", 0, "a \"leg\""));
+  EXPECT_EQ(edited, with(with(scene_xml, "name=\"leg\"", "name=\"a &quot;leg&quot;\""),
+                         "name=\"leg\"", "name=\"a &quot;leg&quot;\""));
+}
+
+TEST(Edits, ATemplateInUseStays) {
+  EXPECT_THAT(after_edit(scene_xml,
+                         [](const Document& document) {
+                           return remove_item(document, nth(document, ItemKind::master));
+                         }),
+              HasSubstr("it is used once"));
+}
+
+TEST(Edits, AddedObjectsFollowTheLayout) {
+  const auto add = [](const NewItem& what) {
+    return [=](const Document& document) {
+      return add_item(document, nth(document, ItemKind::root), what);
+    };
+  };
+  EXPECT_EQ(after_edit(scene_xml, add({ItemKind::primitive, "cone"})),
+            with(scene_xml, "\t</object>\r\n</scenefile>",
+                 "\t\t<transblock>\r\n\t\t\t<object type=\"primitive\" name=\"cone\">\r\n"
+                 "\t\t\t\t<diffuse r=\"1\" g=\"1\" b=\"1\"/>\r\n\t\t\t</object>\r\n"
+                 "\t\t</transblock>\r\n\t</object>\r\n</scenefile>"));
+  EXPECT_EQ(after_edit("<scenefile/>", add({ItemKind::camera})),
+            "<scenefile><cameradata><pos x=\"5\" y=\"5\" z=\"5\"/><look x=\"-1\" y=\"-1\" "
+            "z=\"-1\"/><up x=\"0\" y=\"1\" z=\"0\"/><heightangle v=\"45\"/></cameradata>"
+            "</scenefile>");
+  EXPECT_THAT(after_edit(scene_xml, add({ItemKind::instance, "arm"})), HasSubstr("not declared"));
+  EXPECT_THAT(after_edit(scene_xml, add({ItemKind::light, "spot"})),
+              HasSubstr("\t<lightdata>\r\n\t\t<type v=\"spot\"/>\r\n\t\t<id v=\"1\"/>"));
+}
+
+TEST(Edits, ItemsMoveWithTheirComments) {
+  const std::string edited = after_edit(scene_xml, [](const Document& document) {
+    return reorder_item(document, nth(document, ItemKind::instance), 1);
+  });
+  EXPECT_THAT(edited, HasSubstr("</transblock>\r\n\t\t<!-- left -->\r\n\t\t<transblock>"));
+  EXPECT_EQ(after_edit(edited,
+                       [](const Document& document) {
+                         return reorder_item(document, nth(document, ItemKind::instance), -1);
+                       }),
+            scene_xml);
+}
+
+TEST(Edits, AGroupCannotBeMovedIntoItself) {
+  const std::string text = with(scene_json, "\"primitives\"", "\"groups\": [{}], \"primitives\"");
+  EXPECT_THAT(after_edit(text,
+                         [](const Document& document) {
+                           const ItemId outer = nth(document, ItemKind::group, 1);
+                           return move_into(document, outer, nth(document, ItemKind::group, 2));
+                         }),
+              HasSubstr("choose a group"));
+}
+
+TEST(Edits, WrappingKeepsTheInside) {
+  EXPECT_EQ(after_edit(scene_xml,
+                       [](const Document& document) {
+                         return wrap_in_group(document, nth(document, ItemKind::instance));
+                       }),
+            with(scene_xml,
+                 "\t\t<transblock>\r\n\t\t\t<object type=\"master\" name=\"leg\"/>\r\n"
+                 "\t\t</transblock>\r\n",
+                 "\t\t<transblock>\r\n\t\t\t<object type=\"tree\">\r\n\t\t\t\t<transblock>\r\n"
+                 "\t\t\t\t\t<object type=\"master\" name=\"leg\"/>\r\n\t\t\t\t</transblock>\r\n"
+                 "\t\t\t</object>\r\n\t\t</transblock>\r\n"));
+}
+
+TEST(Edits, MovingChangesOnlyTheAxis) {
+  const auto move = [](const Document& document) {
+    const auto handle = handle_of(document, nth(document, ItemKind::primitive, 1));
+    return handle ? move_item(document, *handle, {0.5, 0, 0}) : Result<Edit>(Error{"no handle"});
+  };
+  EXPECT_EQ(after_edit(scene_xml, move),
+            with(scene_xml, "x=\"1\" y=\"0\" z=\"0\"/>\r\n\t\t\t<object",
+                 "x=\"1.5\" y=\"0\" z=\"0\"/>\r\n\t\t\t<object"));
+  EXPECT_EQ(after_edit(scene_json,
+                       [](const Document& document) {
+                         const auto handle =
+                             handle_of(document, nth(document, ItemKind::primitive));
+                         return move_item(document, *handle, {0, 2, 0});
+                       }),
+            with(scene_json, "\"name\": \"ball\",\n",
+                 "\"name\": \"ball\",\n      \"translate\": [0, 2, 0],\n"));
+}
+
+TEST(Edits, NothingMovesAnObjectOfATemplate) {
+  const Result<Document> document = Document::open(scene_xml, {});
+  EXPECT_FALSE(handle_of(*document, nth(*document, ItemKind::primitive)));
+}
+
+}  // namespace
+
+}  // namespace scenefile

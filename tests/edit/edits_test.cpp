@@ -119,11 +119,9 @@ TEST(Edits, NewFieldsComeInTheOrderOfTheFormat) {
 }
 
 TEST(Edits, ALightGetsTheFieldsOfItsType) {
-  EXPECT_EQ(
-      after_edit(scene_xml, setting(ItemKind::light, "type", 0, "point")),
-      with(with(scene_xml, "\t\t<direction x=\"0\" y=\"-1\" z=\"0\"/>\r\n", ""),
-           "<color r=\"1\" g=\"1\" b=\"1\"/>\r\n",
-           "<color r=\"1\" g=\"1\" b=\"1\"/>\r\n\t\t<position x=\"2\" y=\"5\" z=\"3\"/>\r\n"));
+  EXPECT_THAT(after_edit(scene_xml, setting(ItemKind::light, "type", 0, "point")),
+              HasSubstr("<id v='0'/> <type v=\"point\"/>\r\n\t\t<color r=\"1\" g=\"1\" b=\"1\"/>"
+                        "\r\n\t\t<position x=\"2\" y=\"5\" z=\"3\"/>\r\n\t</lightdata>"));
   EXPECT_THAT(
       after_edit(scene_json, setting(ItemKind::light, "type", 0, "point")),
       HasSubstr("{\"type\": \"point\", \"color\": [1, 1, 1], \"attenuationCoeff\": [1, 0, 0]}"));

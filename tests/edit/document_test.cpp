@@ -1,5 +1,8 @@
 #include "scenefile/edit/document.h"
 
+#include "scenefile/edit/field_words.h"
+#include "scenefile/scene/vocabulary.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -173,6 +176,28 @@ TEST(Document, CommentsBelongToWhatTheyAreNextTo) {
   const TextRange range = document.with_comments(2);
   EXPECT_EQ(text.substr(range.from, range.size()),
             "<!-- above\n       still -->\n  <lightdata/> <!-- beside -->");
+}
+
+// A value that the vocabulary has, but the table of fields lacks, could not be edited.
+template <typename Owner, std::size_t N>
+void expect_words(const ValueRow<Owner> (&rows)[N], ItemKind kind) {
+  for (const ValueRow<Owner>& row : rows) {
+    for (const bool xml : {true, false}) {
+      const std::string_view name = xml ? row.xml : row.json;
+      const auto words = ordered_words(kind, xml);
+      const bool known = std::any_of(words.begin(), words.end(), [&](const FieldWord* word) {
+        return word->name(xml) == name;
+      });
+      EXPECT_TRUE(name.empty() || !row.has_member() || known) << name;
+    }
+  }
+}
+
+TEST(Document, EveryValueOfTheVocabularyIsAField) {
+  expect_words(global_rows, ItemKind::globals);
+  expect_words(camera_rows, ItemKind::camera);
+  expect_words(light_rows, ItemKind::light);
+  expect_words(material_rows, ItemKind::primitive);
 }
 
 TEST(Document, TypedValues) {

@@ -147,27 +147,12 @@ class FieldList {
     }
   }
 
-  // Whether this type of light uses and needs the field.
-  void judge_light(FieldView& field) const {
-    const std::string_view name = field.name;
-    const auto type = std::find(light_words.begin(), light_words.end(), item_.name);
-    for (const ValueRow<Light>& row : light_rows) {
-      if (row.name() == name || row.json == name) {
-        const auto light = static_cast<LightType>(type - light_words.begin());
-        const bool used = row.used_by_type(light);
-        const bool falloff = row.field == Field::attenuation;
-        field.effective = used || (syntax_.xml && row.idle_in_xml);
-        field.needed = used && row.kind != ValueKind::text &&
-                       !(falloff && (syntax_.xml || !course_json_has(light)));
-      }
-    }
-  }
-
   void judge(FieldView& field) const {
     const std::string_view name = field.name;
     switch (item_.kind) {
       case ItemKind::light:
-        judge_light(field);
+        field.needed = light_use(name, item_.name, syntax_.xml).needed;
+        field.effective = light_use(name, item_.name, syntax_.xml).effective;
         break;
       case ItemKind::camera:
         field.needed = name != "look" && name != "focus" && name != "aperture" &&

@@ -189,7 +189,7 @@ class Editor {
   std::vector<TextChange> insert_fields(
       const Item& item, const std::vector<std::pair<const FieldWord*, Values>>& fresh) const {
     if (item.element == no_part ||
-        (!syntax_.xml && syntax_[item.element].type == Part::Type::object ? false : !syntax_.xml)) {
+        (!syntax_.xml && syntax_[item.element].type != Part::Type::object)) {
       return {new_container(item, fresh).change};
     }
     std::vector<TextChange> changes;
@@ -273,12 +273,11 @@ class Editor {
     std::vector<std::pair<std::string, Fresh>> entries;
     for (const FieldWord* const word : ordered_words(item.kind, syntax_.xml)) {
       const auto own = given(word->xml);
-      const bool needed = camera ? word->xml == "pos" || word->xml == "up" ||
-                                       word->xml == "heightangle" ||
-                                       (word->xml == "look" && given("focus") == fresh.end())
-                                 : !syntax_.xml && word->json != "transparentCoeff";
-      if (own == fresh.end() && !needed &&
-          !(fresh.empty() && !camera && word->xml != "transparentcoeff")) {
+      const bool needed =
+          camera ? word->xml == "pos" || word->xml == "up" || word->xml == "heightangle" ||
+                       (word->xml == "look" && given("focus") == fresh.end())
+                 : word->xml != "transparentcoeff" && (!syntax_.xml || fresh.empty());
+      if (own == fresh.end() && !needed) {
         continue;
       }
       const Values values = own == fresh.end() ? Values{} : own->second;
@@ -490,25 +489,8 @@ class Editor {
     return id;
   }
 
-  // Whether a type of light needs a field, and whether it has an effect there.
-  struct Use {
-    bool needed = false;
-    bool effective = true;
-  };
-  Use use_of(const FieldWord& word, std::string_view type) const {
-    const auto light = static_cast<LightType>(
-        std::find(light_words.begin(), light_words.end(), type) - light_words.begin());
-    for (const ValueRow<Light>& row : light_rows) {
-      const std::string_view name = syntax_.xml ? row.xml : row.json;
-      if (name == word.name(syntax_.xml)) {
-        const bool used = row.used_by_type(light);
-        const bool falloff = row.field == Field::attenuation;
-        return {used && row.kind != ValueKind::text &&
-                    !(falloff && (syntax_.xml || !course_json_has(light))),
-                used || (syntax_.xml && row.idle_in_xml)};
-      }
-    }
-    return {};
+  LightUse use_of(const FieldWord& word, std::string_view type) const {
+    return light_use(word.name(syntax_.xml), type, syntax_.xml);
   }
 
   std::vector<TextChange> retyped(const Item& item, const FieldView& field,
@@ -523,7 +505,7 @@ class Editor {
           present = child;
         }
       }
-      const Use use = use_of(*word, type);
+      const LightUse use = use_of(*word, type);
       if (word->xml == "type") {
         continue;
       }

@@ -1,5 +1,7 @@
 #include "scenefile/edit/field_words.h"
 
+#include "scenefile/scene/vocabulary.h"
+
 #include <algorithm>
 #include <vector>
 
@@ -38,6 +40,20 @@ std::vector<const FieldWord*> ordered_words(ItemKind kind, bool xml) {
     });
   }
   return words;
+}
+
+LightUse light_use(std::string_view field, std::string_view type, bool xml) {
+  const auto* const found = std::find(light_words.begin(), light_words.end(), type);
+  const auto light = static_cast<LightType>(found - light_words.begin());
+  for (const ValueRow<Light>& row : light_rows) {
+    if ((xml ? row.xml : row.json) == field) {
+      const bool used = row.used_by_type(light);
+      const bool falloff = row.field == Field::attenuation;
+      return {used && row.kind != ValueKind::text && !(falloff && (xml || !course_json_has(light))),
+              used || (xml && row.idle_in_xml)};
+    }
+  }
+  return {};
 }
 
 std::vector<std::string_view> parts_of(const FieldWord& word, bool xml) {

@@ -106,6 +106,13 @@ std::span<const FieldWord> words_of(ItemKind kind);
 /// Their order in the dialect.
 std::vector<const FieldWord*> ordered_words(ItemKind kind, bool xml);
 
+/// Whether lights of a type ("spot") need a field, and whether it has an effect on them.
+struct LightUse {
+  bool needed = false;
+  bool effective = true;
+};
+LightUse light_use(std::string_view field, std::string_view type, bool xml);
+
 /// How many parts a value has, and what each is called.
 std::vector<std::string_view> parts_of(const FieldWord& word, bool xml);
 

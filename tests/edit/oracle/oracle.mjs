@@ -1,5 +1,7 @@
 // Compares the edit engine with that of the page: the items and fields that both find in scenes, and the text after
 // each edit, byte for byte. node oracle.mjs [--show N] [--most ITEMS] DRIVER SCENE-OR-FOLDER...
+// Fails if they differ other than on purpose. In scenes with errors they do: the page's model of what is an object
+// is not the reader's.
 
 import { spawnSync } from 'node:child_process';
 import { readdirSync, readFileSync, statSync } from 'node:fs';
@@ -222,6 +224,10 @@ function compare(scene) {
   }
 }
 
+// The engine lacks <aspectratio>, which has no effect; offers only templates that are declared before; and selects the
+// scene itself where the page selects its list of groups.
+const isIntended = (kind, text) => /aspectratio/.test(text) || kind === 'add: not offered' || kind === 'remove: selection';
+
 for (const input of inputs) {
   for (const scene of scenesIn(input)) {
     compare(scene);
@@ -232,3 +238,5 @@ for (const [kind, list] of [...differences].sort((a, b) => b[1].length - a[1].le
   console.log(`${list.length} ${kind}`);
   list.slice(0, show).forEach((text) => console.log(`    ${text}`));
 }
+const others = [...differences].flatMap(([kind, list]) => list.filter((text) => !isIntended(kind, text)));
+process.exit(counts.edits > 0 && others.length === 0 ? 0 : 1);

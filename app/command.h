@@ -67,6 +67,7 @@ ExitCode run_grade(const Options& options, Context& context);
 ExitCode run_format(const Options& options, Context& context);
 ExitCode run_explain(const Options& options, Context& context);
 ExitCode run_help(const Options& options, Context& context);
+ExitCode run_lsp(const Options& options, Context& context);
 ExitCode run_info(const Options& options, Context& context);
 ExitCode run_render(const Options& options, Context& context);
 ExitCode run_view(const Options& options, Context& context);

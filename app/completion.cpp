@@ -43,7 +43,7 @@ std::vector<const OptionRow*> options_of(const Command& command) {
 
 std::vector<std::string_view> help_topics() {
   std::vector<std::string_view> topics(command_names().begin(), command_names().end());
-  topics.insert(topics.end(), {"codes", "causes", "limits"});
+  topics.insert(topics.end(), {"codes", "causes", "limits", "vocabulary"});
   topics.insert(topics.end(), code_names().begin(), code_names().end());
   for (std::size_t i = 0; i < cause_count; ++i) {
     topics.push_back(name_of(static_cast<Cause>(i)));

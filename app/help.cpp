@@ -9,6 +9,7 @@
 #include "app/wrap.h"
 #include "scenefile/base/text.h"
 #include "scenefile/grade/cause_help.h"
+#include "scenefile/scene/vocabulary_words.h"
 #include "scenefile/verbs/codes.h"
 
 #include <fmt/format.h>
@@ -46,7 +47,9 @@ const std::vector<Heading>& headings() {
         "--max-mean", "--max-difference", "--max-share", "--pixel-threshold", "--min-ssim",
         "--max-flip"}},
       {"Window", {"--window", "--trace", "--screenshot", "--frames", "--script"}},
-      {"Input", {"--compat", "--asset-root", "--allow-outside", "--allow-missing", "--no-assets"}},
+      {"Input",
+       {"--compat", "--asset-root", "--allow-outside", "--allow-missing", "--no-assets",
+        "--stdio"}},
       {"Findings", {"--strict", "--deny", "--allow", "--fix", "--dry-run"}},
       {"Limits", {"--threads", "--limit", "--max-memory", "--timeout"}},
       {"Output", {"--output",       "--to",         "--store",     "--part",    "--missing",
@@ -121,9 +124,6 @@ std::string example_text(std::string_view lines, std::size_t width) {
 }
 
 std::string no_such_topic(const std::string& topic) {
-  if (topic == "lsp") {
-    return std::string(language_server_place);
-  }
   std::vector<std::string_view> known(command_names().begin(), command_names().end());
   known.insert(known.end(), code_names().begin(), code_names().end());
   known.insert(known.end(), code_families().begin(), code_families().end());
@@ -131,6 +131,7 @@ std::string no_such_topic(const std::string& topic) {
     known.push_back(name_of(static_cast<Cause>(i)));
   }
   known.push_back("limits");
+  known.push_back("vocabulary");
   const auto longer = std::find_if(known.begin(), known.end(), [&](std::string_view name) {
     return topic.size() >= 3 && name.starts_with(topic);
   });
@@ -142,6 +143,21 @@ std::string no_such_topic(const std::string& topic) {
 bool is_family(std::string_view name) {
   const auto families = code_families();
   return std::find(families.begin(), families.end(), name) != families.end();
+}
+
+std::string vocabulary_text(std::size_t width) {
+  std::string text = "Elements of XML\n";
+  for (const ElementWord& element : element_words()) {
+    text += columns_text(fmt::format("  {}", element.name), element.about, 22, width);
+  }
+  for (const ObjectWord& object : object_words()) {
+    text += fmt::format("\nKeys of {} in JSON\n",
+                        object.name.empty() ? std::string("the scene") : std::string(object.name));
+    for (const KeyWord& key : object.keys) {
+      text += columns_text(fmt::format("  {}", key.name), key.about, 22, width);
+    }
+  }
+  return text;
 }
 
 // Families that have the name of a command need the word codes.
@@ -192,7 +208,8 @@ std::string overview_text() {
         {"codes [FAMILY]", "the codes of all findings, or of a family, such as render"},
         {"CAUSE", "a mistake that diff and grade name, such as normals"},
         {"causes", "the list of these mistakes"},
-        {"limits", "how large a file may be, how deeply nested, and so on"}}) {
+        {"limits", "how large a file may be, how deeply nested, and so on"},
+        {"vocabulary", "the elements and keys of the format"}}) {
     text += columns_text(fmt::format("  scenefile help {}", topic), what, second_column(width, 38),
                          width);
   }
@@ -315,6 +332,9 @@ ExitCode run_help(const Options& options, Context& /*context*/) {
   }
   if (topic == "limits") {
     return answer(options.json ? help_json() : limits_text(help_width()));
+  }
+  if (topic == "vocabulary") {
+    return answer(options.json ? vocabulary_json() : vocabulary_text(help_width()));
   }
   say_error(no_such_topic(topic));
   return ExitCode::usage;

@@ -10,10 +10,6 @@ namespace scenefile::app {
 /// The overview of all commands.
 std::string overview_text();
 
-/// For those who look for it as a command of this program.
-inline constexpr std::string_view language_server_place =
-    "the language server is the command lsp of the npm package, npx scenefile lsp; docs/editors.md "
-    "says how to install it";
 /// A command with its options and examples.
 std::string command_text(const Command& command);
 /// A diagnostic code.

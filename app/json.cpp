@@ -3,6 +3,7 @@
 #include "app/limit_table.h"
 #include "app/names.h"
 #include "scenefile/explain/object_names.h"
+#include "scenefile/scene/vocabulary_words.h"
 #include "scenefile/verbs/codes.h"
 #include "scenefile/verbs/scene_json.h"
 
@@ -335,6 +336,55 @@ std::string code_json(const Code& code) {
 std::string cause_json(Cause cause) {
   Json json;
   add_cause(json, help_of(cause));
+  return json.text();
+}
+
+std::string vocabulary_json() {
+  Json json;
+  const auto add_words = [&](std::string_view name, std::span<const std::string_view> words) {
+    json.begin_array(name);
+    for (const std::string_view word : words) {
+      json.value(word);
+    }
+    json.end_array();
+  };
+  begin_document(json, "help");
+  json.begin_object("xml");
+  for (const ElementWord& element : element_words()) {
+    json.begin_object(element.name);
+    json.add("about", element.about);
+    add_words("children", element.children);
+    json.begin_object("attributes");
+    for (const AttributeWord& attribute : element.attributes) {
+      json.begin_object(attribute.name);
+      json.add("about", attribute.about);
+      add_words("values", attribute.values);
+      json.add("required", attribute.required);
+      json.end_object();
+    }
+    json.end_object();
+    json.end_object();
+  }
+  json.end_object();
+  json.begin_object("json");
+  for (const ObjectWord& object : object_words()) {
+    json.begin_object(object.name);
+    for (const KeyWord& key : object.keys) {
+      json.begin_object(key.name);
+      json.add("about", key.about);
+      add_words("values", key.values);
+      if (!key.object.empty()) {
+        json.add("in", key.object);
+      }
+      if (!key.example.empty()) {
+        json.add("example", key.example);
+      }
+      json.end_object();
+    }
+    json.end_object();
+  }
+  json.end_object();
+  json.end_object();
   return json.text();
 }
 

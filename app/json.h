@@ -69,5 +69,7 @@ std::string code_json(const Code& code);
 std::string cause_json(Cause cause);
 /// All commands, codes, causes and limits.
 std::string help_json();
+/// The words of the format (scene/vocabulary_words.h).
+std::string vocabulary_json();
 
 }  // namespace scenefile::app

@@ -141,10 +141,22 @@ constexpr std::array command_rows{
             "scenefile view chess.xml --profile course --trace\n"
             "xvfb-run -a scenefile view chess.xml --screenshot window.png",
             run_view, at_most_two},
+    Command{"lsp",
+            for_lsp,
+            "",
+            "serve an editor while scenes are written",
+            "The language server, which editors start: docs/editors.md has a line to paste for "
+            "each. Shows the findings of check while a scene is edited, completes and explains "
+            "words, corrects what is misspelled, formats, lists the parts of the scene, finds and "
+            "renames templates, and shows colors.",
+            "scenefile lsp\n"
+            "scenefile lsp --asset-root ~/course/data",
+            run_lsp,
+            {0, 0}},
     Command{"help", for_help, "[COMMAND|CODE|CAUSE]", "explain a command, a code or a cause",
             "Explains a command, the code in brackets after a finding, or a cause that diff or "
             "grade names. codes, causes and limits list all of them; codes FAMILY lists the codes "
-            "that start with a word.",
+            "that start with a word; vocabulary lists the words of the format.",
             "scenefile help render\n"
             "scenefile help codes\n"
             "scenefile help codes render\n"
@@ -173,9 +185,6 @@ std::string unknown_command(std::string_view name) {
   if (name.starts_with('-')) {
     return fmt::format("the command comes first, then options such as {}: scenefile COMMAND ...",
                        quoted(name));
-  }
-  if (name == "lsp") {
-    return std::string(language_server_place);
   }
   if (is_scene_name(name)) {
     return fmt::format("{} is a file, not a command; a command comes first: scenefile check {}",

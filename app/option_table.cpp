@@ -718,11 +718,11 @@ constexpr std::array option_rows{
     OptionRow{"--asset-root", "", "DIR",
               "Look for textures and meshes in this folder too. May be given several times; "
               "docs/assets.md has the rules.",
-              for_all_readers | for_pictures | for_view, add_asset_root},
+              for_all_readers | for_pictures | for_view | for_lsp, add_asset_root},
     OptionRow{"--allow-outside", "", "",
               "Open textures and meshes wherever the scene says, not only in its folder, the "
               "folders for images and meshes next to it, and the asset roots.",
-              for_all_readers | for_pictures | for_view,
+              for_all_readers | for_pictures | for_view | for_lsp,
               set_flag_of<&Options::access, &AssetAccess::allow_outside>},
     OptionRow{"--allow-missing", "", "", "Draw the scene without meshes that cannot be used.",
               for_tracing | for_check | for_view,
@@ -756,7 +756,7 @@ constexpr std::array option_rows{
     OptionRow{"--max-memory", "", "BYTES",
               "Use at most this much memory, such as 800M or 4G (default: 80 % of what the system "
               "allows).",
-              for_all_readers | for_pictures | for_format | for_view, set_max_memory},
+              for_all_readers | for_pictures | for_format | for_view | for_lsp, set_max_memory},
     OptionRow{"--timeout", "", "SECONDS",
               "Stop with exit status 4 after this time, without writing outputs.",
               for_all_readers | for_pictures | for_format | for_view, set_timeout},
@@ -782,9 +782,13 @@ constexpr std::array option_rows{
     OptionRow{"--quiet", "-q", "", "Print only errors.",
               for_tracing | for_check | for_convert | for_pictures | for_format,
               set_flag<&Options::quiet>},
-    OptionRow{"--help", "-h", "", "Print this help.",
-              for_all_readers | for_pictures | for_format | for_help | for_version | for_view,
-              set_flag<&Options::help>},
+    OptionRow{"--stdio", "", "",
+              "Use standard input and output, as always; editors give this option.", for_lsp,
+              set_flag<&Options::stdio>},
+    OptionRow{
+        "--help", "-h", "", "Print this help.",
+        for_all_readers | for_pictures | for_format | for_help | for_version | for_view | for_lsp,
+        set_flag<&Options::help>},
 };
 
 }  // namespace

@@ -21,6 +21,7 @@ inline constexpr unsigned for_explain = 256;
 inline constexpr unsigned for_grade = 512;
 inline constexpr unsigned for_view = 1024;
 inline constexpr unsigned for_frames = 2048;
+inline constexpr unsigned for_lsp = 4096;
 /// Commands that compare pictures.
 inline constexpr unsigned for_pictures = for_diff | for_grade;
 /// Options of the tracer.

@@ -121,6 +121,7 @@ struct Options {
 
   bool check = false;  ///< only report what would change
   bool fix = false;
+  bool stdio = false;    ///< has no effect
   bool dry_run = false;  ///< show what `fix` would change
   bool files = false;
   bool tree = false;

@@ -23,7 +23,7 @@ target_compile_options(scenefile_options INTERFACE
 set(SCENEFILE_FAST_ROOMS base geometry compare trace path grade)
 
 # Rooms whose speed does not matter, because they print, or call others: all of their sources are COLD.
-set(SCENEFILE_COLD_ROOMS edit explain export gradebook import io verbs)
+set(SCENEFILE_COLD_ROOMS edit explain export gradebook import io lsp verbs)
 
 # Sources that include an "-inl.h" stay out of unity builds: such headers have no include guard, because
 # they are compiled once for each instruction set.

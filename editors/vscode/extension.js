@@ -1,4 +1,4 @@
-// Starts `scenefile lsp` of the npm package and connects it with the editor. The server does the work.
+// Starts `scenefile lsp` and connects it with the editor. The server does the work.
 
 const { workspace, window, commands } = require('vscode');
 const { LanguageClient } = require('vscode-languageclient/node');
@@ -24,7 +24,7 @@ async function start() {
   } catch (error) {
     client = null;
     window.showErrorMessage(
-      `cannot start ${command} lsp: ${error.message}. Install the npm package scenefile, or set scenefile.command.`,
+      `cannot start ${command} lsp: ${error.message}. Install scenefile, or set scenefile.command.`,
     );
   }
 }

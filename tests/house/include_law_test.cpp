@@ -41,6 +41,7 @@ const std::map<std::string, std::set<std::string>> may_know = {
     {"verbs",
      {"base", "scene", "format", "asset", "geometry", "compare", "io", "placement", "trace", "path",
       "explain", "grade", "gradebook", "edit", "export/codes.h", "import/codes.h", "view/codes.h"}},
+    {"lsp", {"base", "scene", "format", "asset", "edit", "verbs"}},
     {"viewer",
      {"base", "scene", "format", "geometry", "asset", "compare", "io", "placement", "trace", "path",
       "view", "explain", "edit"}},

@@ -170,7 +170,8 @@ bool json_string_is(std::string_view string, std::string_view value) {
 
 // Finds the word of a correction in JSON: at the place, or in the value of the key there.
 Changes json_changes(std::string_view text, std::size_t at, const Diagnostic& finding) {
-  const auto& [written, instead, certain] = *finding.correction;
+  const std::string& written = finding.correction->written;
+  const std::string& instead = finding.correction->instead;
   const std::string_view rest = text.substr(at);
   if (rest.starts_with(written)) {
     return {change_of(at, written.size(), written == instead ? as_json_string(instead) : instead)};

@@ -1,0 +1,31 @@
+#pragma once
+// Messages with a header, as language servers receive them: `Content-Length: N`, an empty line, N
+// bytes.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace scenefile {
+
+enum class MessageEvent : std::uint8_t {
+  message,
+  timeout,  ///< none was complete in time
+  end,      ///< of the input
+  broken,   ///< a header without a length, or with one above the limit
+};
+
+/// Reads messages from standard input.
+class MessageReader {
+ public:
+  /// Waits for the next message, at most `seconds`; without a number, as long as it takes.
+  MessageEvent next(std::optional<double> seconds, std::string& body);
+
+ private:
+  /// Takes a message from what was read; nullopt if it is not complete.
+  std::optional<MessageEvent> take(std::string& body);
+
+  std::string read_;
+};
+
+}  // namespace scenefile

@@ -1,0 +1,289 @@
+#include "scenefile/lsp/outline.h"
+
+#include "scenefile/base/limits.h"
+#include "scenefile/base/number.h"
+#include "scenefile/format/json_parser.h"
+#include "scenefile/format/xml_scanner.h"
+#include "scenefile/format/xml_values.h"
+#include "scenefile/lsp/completion.h"
+#include "scenefile/scene/vocabulary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+namespace scenefile {
+
+namespace {
+
+constexpr std::size_t no_part = std::numeric_limits<std::size_t>::max();
+
+bool read_component(std::string_view text, float& value) {
+  const ParsedNumber number = parse_number(text);
+  value = static_cast<float>(number.value);
+  return number.error == NumberError::none && value >= 0 && value <= 1;
+}
+
+class XmlOutline {
+ public:
+  explicit XmlOutline(std::string_view text) : text_(text) {}
+
+  Outline run() {
+    XmlScanner scanner(text_);
+    for (XmlToken token; scanner.next(token);) {
+      const std::size_t end = offset(token.written) + token.written.size();
+      if (token.kind == XmlTokenKind::start || token.kind == XmlTokenKind::empty) {
+        open(token);
+        if (token.kind == XmlTokenKind::empty) {
+          close(end);
+        }
+      } else if (token.kind == XmlTokenKind::end && !open_.empty()) {
+        close(end);
+      }
+    }
+    while (!open_.empty()) {
+      close(text_.size());
+    }
+    return std::move(outline_);
+  }
+
+ private:
+  std::size_t offset(std::string_view part) const {
+    return static_cast<std::size_t>(part.data() - text_.data());
+  }
+
+  static std::string_view value_of(const XmlToken& token, std::string_view name) {
+    const auto found = std::find_if(token.attributes.begin(), token.attributes.end(),
+                                    [&](const XmlAttribute& a) { return a.name == name; });
+    return found == token.attributes.end() ? std::string_view() : found->value;
+  }
+
+  void open(const XmlToken& token) {
+    std::size_t part = no_part;
+    if (token.name == "globaldata") {
+      part = add(token, PartKind::globals, "globaldata", {});
+    } else if (token.name == "cameradata") {
+      part = add(token, PartKind::camera, "cameradata", {});
+    } else if (token.name == "lightdata") {
+      part = add(token, PartKind::light, "lightdata", {});
+    } else if (token.name == "object") {
+      part = add_object(token);
+    } else if (token.name == "type" && !open_.empty() && open_.back() != no_part &&
+               outline_.parts[open_.back()].kind == PartKind::light) {
+      outline_.parts[open_.back()].detail = value_of(token, "v");
+    } else if (kind_of_element(token.name) == ValueKind::color) {
+      add_color(token);
+    }
+    open_.push_back(part);
+    depth_ += part == no_part ? 0 : 1;
+  }
+
+  void close(std::size_t end) {
+    if (open_.back() != no_part) {
+      outline_.parts[open_.back()].to = end;
+      --depth_;
+    }
+    open_.pop_back();
+  }
+
+  std::size_t add(const XmlToken& token, PartKind kind, std::string_view name,
+                  std::string_view detail) {
+    outline_.parts.push_back(
+        {kind, std::string(name), std::string(detail), offset(token.written), 0, depth_});
+    return outline_.parts.size() - 1;
+  }
+
+  std::size_t add_object(const XmlToken& token) {
+    const std::string_view type = value_of(token, "type");
+    const std::string_view name = value_of(token, "name");
+    const bool top = open_.size() == 1;
+    if (!name.empty() && ((top && type == "tree" && name != "root") || type == "master")) {
+      outline_.names.push_back(
+          {std::string(name), offset(name), offset(name) + name.size(), type == "tree"});
+    }
+    const PartKind kind = type == "primitive" ? PartKind::primitive
+                          : type == "master"  ? PartKind::instance
+                          : top               ? PartKind::tree
+                                              : PartKind::group;
+    return add(token, kind, name.empty() ? type : name, type);
+  }
+
+  void add_color(const XmlToken& token) {
+    const auto& attributes = token.attributes;
+    constexpr std::string_view names[] = {"r", "g", "b"};
+    ColorValue color;
+    if (attributes.size() < 3 || token.unquoted) {
+      return;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (attributes[i].name != names[i] || !read_component(attributes[i].value, color.rgb[i])) {
+        return;
+      }
+    }
+    color.from = offset(attributes[0].name);
+    color.to = offset(attributes[2].value) + attributes[2].value.size() + 1;
+    outline_.colors.push_back(color);
+  }
+
+  std::string_view text_;
+  Outline outline_;
+  std::vector<std::size_t> open_;  // the part of each open element
+  std::uint32_t depth_ = 0;
+};
+
+template <typename Owner, std::size_t N>
+bool has_color(const ValueRow<Owner> (&rows)[N], std::string_view key) {
+  return std::any_of(std::begin(rows), std::end(rows), [&](const ValueRow<Owner>& row) {
+    return row.kind == ValueKind::color && row.json == key;
+  });
+}
+
+class JsonOutline {
+ public:
+  explicit JsonOutline(std::string_view text) : text_(text) {}
+
+  Outline run() {
+    if (parse_json(text_, Limits().nesting, tape_).fault != JsonFault::none) {
+      return {};
+    }
+    const auto count = static_cast<JsonIndex>(tape_.items.size());
+    for (JsonIndex i = 0; i < count;) {
+      close_before(i);
+      i = open_.empty() || !open_.back().object ? value(i, {}) : value(i + 1, tape_.raw(i));
+    }
+    close_before(count);
+    mark_uses();
+    return std::move(outline_);
+  }
+
+ private:
+  struct Container {
+    JsonIndex end = 0;
+    bool object = false;
+    std::string_view key;  // of the container, or of the list that it is in
+    std::size_t part = no_part;
+  };
+
+  // Reads a scalar, or enters a container. Returns the next item.
+  JsonIndex value(JsonIndex i, std::string_view key) {
+    const bool object = tape_.is_object(i);
+    if (!object && !tape_.is_array(i)) {
+      scalar(i, key);
+      end_ = tape_.items[i].offset + tape_.items[i].extent;
+      return i + 1;
+    }
+    const std::string_view name = key.empty() && !open_.empty() ? open_.back().key : key;
+    end_ = tape_.items[i].offset + 1;
+    if (!object && (has_color(material_rows, key) || has_color(light_rows, key))) {
+      add_color(i);
+    }
+    open_.push_back({tape_.end(i), object, name, object ? part_of(i, name) : no_part});
+    return i + 1;
+  }
+
+  void scalar(JsonIndex i, std::string_view key) {
+    if (open_.empty() || open_.back().part == no_part || !tape_.is_string(i)) {
+      return;
+    }
+    OutlinePart& part = outline_.parts[open_.back().part];
+    if (key == "type") {
+      part.detail = tape_.string(i);
+    } else if (key == "name") {
+      part.name = tape_.string(i);
+      if (part.kind == PartKind::tree || part.kind == PartKind::group) {
+        const std::size_t from = tape_.items[i].offset + 1;
+        outline_.names.push_back(
+            {part.name, from, from + tape_.raw(i).size(), part.kind == PartKind::tree});
+      }
+    }
+  }
+
+  std::size_t part_of(JsonIndex i, std::string_view key) {
+    PartKind kind;
+    if (key == "globalData") {
+      kind = PartKind::globals;
+    } else if (key == "cameraData") {
+      kind = PartKind::camera;
+    } else if (key == "lights") {
+      kind = PartKind::light;
+    } else if (key == "primitives") {
+      kind = PartKind::primitive;
+    } else if (key == "groups") {
+      kind = PartKind::group;
+    } else if (key == "templateGroups") {
+      kind = PartKind::tree;
+    } else {
+      return no_part;
+    }
+    const bool list = kind != PartKind::globals && kind != PartKind::camera;
+    std::string name(key.substr(0, key.size() - (list ? 1 : 0)));
+    outline_.parts.push_back({kind, std::move(name), {}, tape_.items[i].offset, 0, depth_});
+    ++depth_;
+    return outline_.parts.size() - 1;
+  }
+
+  void add_color(JsonIndex array) {
+    ColorValue color;
+    if (tape_.end(array) - array != 4) {
+      return;
+    }
+    for (JsonIndex i = 0; i < 3; ++i) {
+      if (!tape_.is_number(array + 1 + i) ||
+          !read_component(tape_.raw(array + 1 + i), color.rgb[i])) {
+        return;
+      }
+    }
+    color.from = tape_.items[array].offset;
+    color.to = text_.find(']', color.from) + 1;
+    outline_.colors.push_back(color);
+  }
+
+  // Leaves the containers that end before the item.
+  void close_before(JsonIndex i) {
+    while (!open_.empty() && open_.back().end <= i) {
+      end_ = text_.find(open_.back().object ? '}' : ']', end_) + 1;
+      if (open_.back().part != no_part) {
+        outline_.parts[open_.back().part].to = end_;
+        --depth_;
+      }
+      open_.pop_back();
+    }
+  }
+
+  // A group with the name of a template is a use of it; other names are only for readers.
+  void mark_uses() {
+    const std::vector<NameUse> all = outline_.names;
+    std::erase_if(outline_.names, [&](const NameUse& use) {
+      return std::none_of(all.begin(), all.end(), [&](const NameUse& other) {
+        return other.declares && other.name == use.name;
+      });
+    });
+  }
+
+  std::string_view text_;
+  JsonTape tape_;
+  Outline outline_;
+  std::vector<Container> open_;
+  std::size_t end_ = 0;  // of what was read
+  std::uint32_t depth_ = 0;
+};
+
+}  // namespace
+
+Outline read_outline(std::string_view text) {
+  return looks_like_xml(text) ? XmlOutline(text).run() : JsonOutline(text).run();
+}
+
+std::string color_text(const std::array<double, 3>& rgb, bool xml) {
+  std::array<std::string, 3> parts;
+  for (std::size_t i = 0; i < 3; ++i) {
+    parts[i] = number_text(static_cast<float>(std::round(rgb[i] * 1000) / 1000));
+  }
+  return xml ? fmt::format(R"(r="{}" g="{}" b="{}")", parts[0], parts[1], parts[2])
+             : fmt::format("[{}, {}, {}]", parts[0], parts[1], parts[2]);
+}
+
+}  // namespace scenefile

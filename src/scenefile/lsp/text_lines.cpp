@@ -1,0 +1,73 @@
+#include "scenefile/lsp/text_lines.h"
+
+#include "scenefile/base/text.h"
+
+#include <algorithm>
+
+namespace scenefile {
+
+namespace {
+
+// The size of the first character in bytes, at least 1.
+std::size_t character_bytes(std::string_view text) {
+  return std::max<std::size_t>(first_code_point(text).bytes, 1);
+}
+
+std::uint32_t utf16_units(std::size_t bytes) {
+  return bytes == 4 ? 2 : 1;
+}
+
+}  // namespace
+
+TextLines::TextLines(std::string_view text) : text_(text), starts_{0} {
+  for (std::size_t at = 0; (at = text.find_first_of("\r\n", at)) != std::string_view::npos;) {
+    at += text.substr(at).starts_with("\r\n") ? 2 : 1;
+    starts_.push_back(at);
+  }
+}
+
+std::string_view TextLines::line(std::size_t line) const {
+  const std::string_view rest = text_.substr(starts_[line]);
+  return rest.substr(0, rest.find_first_of("\r\n"));
+}
+
+std::size_t TextLines::offset(LspPosition position) const {
+  if (position.line >= starts_.size()) {
+    return text_.size();
+  }
+  std::string_view rest = line(position.line);
+  const std::size_t end = starts_[position.line] + rest.size();
+  for (std::uint32_t units = 0; units < position.character && !rest.empty();) {
+    const std::size_t bytes = character_bytes(rest);
+    units += utf16_units(bytes);
+    rest.remove_prefix(bytes);
+  }
+  return end - rest.size();
+}
+
+std::size_t TextLines::offset(Location location) const {
+  if (location.line == 0 || location.line > starts_.size()) {
+    return location.line == 0 ? 0 : text_.size();
+  }
+  std::string_view rest = line(location.line - 1);
+  const std::size_t end = starts_[location.line - 1] + rest.size();
+  for (std::uint32_t column = 1; column < location.column && !rest.empty(); ++column) {
+    rest.remove_prefix(character_bytes(rest));
+  }
+  return end - rest.size();
+}
+
+LspPosition TextLines::position(std::size_t offset) const {
+  offset = std::min(offset, text_.size());
+  const auto next = std::upper_bound(starts_.begin(), starts_.end(), offset);
+  LspPosition position{static_cast<std::uint32_t>(next - starts_.begin() - 1), 0};
+  const std::size_t start = *(next - 1);
+  for (std::string_view rest = text_.substr(start, offset - start); !rest.empty();) {
+    const std::size_t bytes = character_bytes(rest);
+    position.character += utf16_units(bytes);
+    rest.remove_prefix(bytes);
+  }
+  return position;
+}
+
+}  // namespace scenefile

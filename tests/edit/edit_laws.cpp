@@ -101,7 +101,7 @@ class Laws {
     }
     ++counts_[what.substr(0, what.find(' '))];
     const std::string& text = before.text();
-    require(fits(*edit, text.size()), what + ": changes overlap");
+    require(fits(*edit, text.size()), what + ": changes overlap in\n" + text);
     if (!failure_.empty()) {
       return std::nullopt;
     }

@@ -406,6 +406,9 @@ class FieldList {
     }
     for (std::size_t i = 0; i < std::min(numbers.size(), field.parts.size()); ++i) {
       const Part& part = syntax_[numbers[i]];
+      if (part.type == Part::Type::array || part.type == Part::Type::object) {
+        continue;  // not a value
+      }
       fill(field.parts[i], part.value(),
            part.type == Part::Type::string ? syntax_.tape.string(part.item)
                                            : std::string(syntax_.slice(part.value())));

@@ -93,8 +93,10 @@ std::vector<TextChange> merged(std::vector<TextChange> changes) {
   sort_changes(changes);
   std::vector<TextChange> result;
   for (TextChange& change : changes) {
-    if (!result.empty() && result.back().size != 0 &&
-        change.at == result.back().at + result.back().size) {
+    const std::uint32_t end = result.empty() ? 0 : result.back().at + result.back().size;
+    if (change.size == 0 && change.at < end) {  // before something that is removed
+      result.back().text += change.text;
+    } else if (!result.empty() && result.back().size != 0 && change.at == end) {
       result.back().text += change.text;
       result.back().size += change.size;
     } else {
@@ -366,6 +368,12 @@ class Editor {
       return {layout_.set_attribute(item.element, field.name, value,
                                     std::span(after).first(field.name == "name" ? 1 : 2))};
     }
+    if (field.kind == FieldKind::matrix && syntax_[field.element].children.size() != 4) {
+      const Piece piece{fresh_element(word_of(item, field.name), known_values(field, values)), {}};
+      const std::string indent(layout_.indent_at(field.place.from));
+      return {{field.place.from, field.place.size(),
+               layout_.text_of(piece, indent, !layout_.one_line())}};
+    }
     std::vector<TextChange> changes;
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (!values[i]) {
@@ -379,12 +387,17 @@ class Editor {
       }
       const std::vector<PartId>& rows = syntax_[field.element].children;
       const bool matrix = field.kind == FieldKind::matrix;
-      if (matrix && i / 4 >= rows.size()) {
-        continue;
-      }
       add_attribute(changes, field, matrix ? rows[i / 4] : field.element, i, value);
     }
     return changes;
+  }
+
+  // The values with those of the field for parts that stay.
+  static Values known_values(const FieldView& field, Values values) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i] = values[i] ? values[i] : field.parts[i].value;
+    }
+    return values;
   }
 
   // A part that the element does not have yet, named like the others: v3 beside v1 and v2.
@@ -436,13 +449,7 @@ class Editor {
       }
       return changes;
     }
-    Values known = values;
-    for (std::size_t i = 0; i < known.size(); ++i) {
-      if (!known[i]) {
-        known[i] = field.parts[i].value;
-      }
-    }
-    const Piece piece{fresh_entry(word, known), {}};
+    const Piece piece{fresh_entry(word, known_values(field, values)), {}};
     return {{entry.body, entry.value().size(), layout_.text_of(piece, "", false)}};
   }
 

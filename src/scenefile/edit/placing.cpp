@@ -204,9 +204,12 @@ Result<Edit> set_matrix(const Document& document, ItemId id, const std::vector<F
     }
   }
   Typed texts = texts_of(rows);
-  const auto is_written = [](const FieldPart& part) { return part.written; };
-  if (fields.size() == 1 && fields[0].kind == FieldKind::matrix &&
-      std::all_of(fields[0].parts.begin(), fields[0].parts.end(), is_written)) {
+  if (fields.size() == 1 && fields[0].kind == FieldKind::matrix) {
+    const PartId element = fields[0].element;
+    const bool whole = document.state().syntax[element].children.size() == 4;
+    if (!whole) {
+      return set_values(document, id, fields[0], texts);
+    }
     return keep_equal(fields[0], texts) ? set_values(document, id, fields[0], texts) : Edit{};
   }
   if (fields.empty()) {

@@ -117,6 +117,14 @@ mistakes-ledger: ## write down how diff finds the causes of a sample of these pi
 	@mkdir -p out/mistakes
 	@python3 tests/student/ledger.py write out/ledger.tsv --build $(BUILD) --folder out/mistakes
 
+.PHONY: path-mistakes
+path-mistakes: ## the same for path-traced pictures
+	@scripts/install-deps core tests
+	@$(MAKE) $(QUIET) configure-tests
+	$(call compile,scenefile_student_path scenefile_ask_path)
+	@python3 tests/student_path/mistakes.py --build $(BUILD)
+	@python3 tests/student_path/mistakes.py --build $(BUILD) --clean 60 --seeds 3
+
 .PHONY: realtime-mistakes
 realtime-mistakes: ## the same for pictures of the assignment Realtime
 	@scripts/install-deps core tests

@@ -1,5 +1,6 @@
 // The command diff: compares two scenes or two pictures.
 
+#include "app/diff_paths.h"
 #include "app/load.h"
 #include "app/load_picture.h"
 #include "app/named_files.h"
@@ -20,6 +21,7 @@
 #include <array>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace scenefile::app {
 
@@ -216,14 +218,20 @@ ExitCode diff_images(const Options& options, Context& context) {
     say_error(refused.error);
     return refused.status;
   }
-  LoadedPicture a = load_picture(options.arguments[0], options.layer, context);
-  LoadedPicture b = load_picture(options.arguments[1], options.layer, context);
-  report_scene_input(a, b);
-  report_scene_input(b, a);
+  std::vector<LoadedPicture> pictures;
+  for (const std::string& path : options.arguments) {
+    pictures.push_back(load_picture(path, options.layer, context));
+  }
+  LoadedPicture& a = pictures.front();
+  LoadedPicture& b = pictures.back();
+  if (pictures.size() > 1) {
+    report_scene_input(a, b);
+    report_scene_input(b, a);
+  }
   if (const ExitCode status = worse(a.status, b.status); status != ExitCode::fine) {
-    for (const LoadedPicture* loaded : {&a, &b}) {
-      if (!loaded->error.empty() && !options.json) {
-        say_error(loaded->error);
+    for (const LoadedPicture& loaded : pictures) {
+      if (!loaded.error.empty() && !options.json) {
+        say_error(loaded.error);
       }
     }
     return options.json ? worse(status, answer(json_text(a, b, nullptr, nullptr))) : status;
@@ -234,6 +242,16 @@ ExitCode diff_images(const Options& options, Context& context) {
     if (const ExitCode status = status_of(*scene); status != ExitCode::fine) {
       return options.json ? worse(status, answer(json_text(a, b, &*scene, nullptr))) : status;
     }
+    if (are_path_traced(options, *scene)) {
+      return diff_paths(options, pictures, *scene, context);
+    }
+  }
+  if (pictures.size() < 2 || options.render.mode == Mode::path) {
+    say_error(pictures.size() < 2
+                  ? "diff needs two pictures, unless the scene is path-traced: "
+                    "scenefile diff A B, or scenefile diff B --scene SCENE --mode path"
+                  : "--mode path needs the scene: --scene SCENE");
+    return ExitCode::usage;
   }
   round_alike(a.picture, b.picture);
   const LoadedScene* const shown = scene ? &*scene : nullptr;
@@ -256,6 +274,10 @@ ExitCode diff_images(const Options& options, Context& context) {
 ExitCode run_diff(const Options& options, Context& context) {
   const bool pictures =
       std::any_of(options.arguments.begin(), options.arguments.end(), is_picture_file);
+  if (!pictures && options.arguments.size() < 2) {
+    say_error("diff needs 2 names: scenefile diff A B");
+    return ExitCode::usage;
+  }
   return pictures ? diff_images(options, context) : diff_scenes(options, context);
 }
 

@@ -52,12 +52,12 @@ const std::vector<Heading>& headings() {
         "--stdio"}},
       {"Findings", {"--strict", "--deny", "--allow", "--fix", "--dry-run"}},
       {"Limits", {"--threads", "--limit", "--max-memory", "--timeout"}},
-      {"Output", {"--output",       "--to",         "--store",     "--part",    "--missing",
-                  "--write-scenes", "--video",      "--overwrite", "--heatmap", "--sheet",
-                  "--report",       "--pages",      "--title",     "--csv",     "--csv-students",
-                  "--junit",        "--gradescope", "--check",     "--files",   "--tree",
-                  "--man",          "--completion", "--json",      "--sarif",   "--markdown",
-                  "--quiet",        "--help"}},
+      {"Output",
+       {"--output", "--to",        "--store",   "--part",         "--missing",    "--write-scenes",
+        "--video",  "--overwrite", "--heatmap", "--energy",       "--sheet",      "--report",
+        "--pages",  "--title",     "--csv",     "--csv-students", "--junit",      "--gradescope",
+        "--check",  "--files",     "--tree",    "--man",          "--completion", "--json",
+        "--sarif",  "--markdown",  "--quiet",   "--help"}},
       {"Other", {}},
   };
   return all;

@@ -84,17 +84,20 @@ constexpr std::array command_rows{
             "scenefile convert model.glb scene.xml\n"
             "scenefile convert chess.xml chess.pov && povray chess.pov File_Gamma=1.0",
             run_convert, two},
-    Command{"diff", for_diff, "A B", "show how two scenes or two pictures differ",
+    Command{"diff", for_diff, "A [B]", "show how two scenes or two pictures differ",
             "Compares the meaning of two scenes, node by node, in any format; or two pictures, the "
             "reference first: PSNR, SSIM, FLIP and, with the scene, the mistake that explains the "
             "difference. If --profile and --features are not given, those that fit the "
-            "reference are found. The exit status is 0 if they are the same and 1 if they differ.",
+            "reference are found. The exit status is 0 if they are the same and 1 if they differ.\n"
+            "A path-traced picture is compared with the truth, which is drawn from the scene; no "
+            "reference is needed. The exit status is 0 if it is right within its noise.",
             "scenefile diff old.xml new.xml\n"
             "scenefile diff chess.xml chess.json\n"
             "scenefile diff --json a.json b.json\n"
             "scenefile diff reference.png mine.png --scene chess.xml\n"
-            "scenefile diff reference.png mine.png --min-psnr 40 --sheet sheet.png",
-            run_diff, two},
+            "scenefile diff reference.png mine.png --min-psnr 40 --sheet sheet.png\n"
+            "scenefile diff mine.pfm --scene box.xml --mode path",
+            run_diff, ArgumentCount{1, 2}},
     Command{
         "grade", for_grade, "DIR", "compare the pictures of a class with the references",
         "Each folder in DIR is a student; without such folders, DIR itself is a single student. "

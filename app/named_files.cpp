@@ -31,8 +31,9 @@ bool contains(std::span<const std::string_view> words, std::string_view word) {
 
 // What messages call a file, by the name of its option or the word for the argument.
 std::string role_of(std::string_view name) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 11> others{
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 12> others{
       {{"--heatmap", "heat map"},
+       {"--energy", "plot of light"},
        {"--csv", "CSV table"},
        {"--csv-students", "CSV table of students"},
        {"--junit", "JUnit file"},

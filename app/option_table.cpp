@@ -361,6 +361,14 @@ std::string set_name(Options& options, const std::string& value) {
   return value.empty() ? "the name is empty" : "";
 }
 
+// Parses the path of an SVG file.
+std::string set_svg(Options& options, const std::string& value) {
+  options.energy = value;
+  return lower_case(value).ends_with(".svg")
+             ? ""
+             : fmt::format("{} does not end in .svg", quoted(value, 400));
+}
+
 // Parses the path of a PNG file.
 template <std::string Options::*name>
 std::string set_png(Options& options, const std::string& value) {
@@ -470,12 +478,13 @@ constexpr std::array option_rows{
               "course: intersect (also sets --mode) or illuminate. Default: all, for course "
               "without super-sample.",
               for_tracing | for_convert | for_pictures | for_view, set_features, "features"},
-    OptionRow{"--mode", "", "NAME",
-              "ray (default), intersect (the course's ray caster: no shadows, reflections or "
-              "textures), normals (colors are normals), or path (path tracing, for render, "
-              "explain and view; the default if the scene has no lights, but faces of meshes that "
-              "emit light).",
-              for_tracing | for_pictures | for_view, set_mode, "mode"},
+    OptionRow{
+        "--mode", "", "NAME",
+        "ray (default), intersect (the course's ray caster: no shadows, reflections or "
+        "textures), normals (colors are normals), or path (path tracing, for render, "
+        "explain, view and diff; the default if the scene has no lights, but faces of meshes that "
+        "emit light).",
+        for_tracing | for_pictures | for_view, set_mode, "mode"},
     OptionRow{
         "--samples", "", "N",
         "Maximum number of samples per pixel, for the profile fine (default 16; with --engine gl "
@@ -512,8 +521,9 @@ constexpr std::array option_rows{
     OptionRow{
         "--time", "", "SECONDS",
         "With --mode path: take samples until this time is over; --samples then is the "
-        "maximum. The number that was taken gives the same picture again.",
-        for_render,
+        "maximum. The number that was taken gives the same picture again. diff: processor time "
+        "for the truth of path-traced pictures (default 40).",
+        for_render | for_diff,
         [](Options& o, const std::string& v) { return read_number(v, 0.001, 1e7, o.seconds); }, "",
         path_only},
     OptionRow{"--light-samples", "", "N",
@@ -534,7 +544,7 @@ constexpr std::array option_rows{
         "--direct-only", "", "",
         "With --mode path: only light that comes straight from lamps, also as seen in mirrors "
         "and through glass.",
-        for_render | for_explain | for_view,
+        for_render | for_explain | for_view | for_diff,
         set_flag_of<&Options::render, &RenderOptions::direct_only>, "direct_only"},
     OptionRow{"--continue", "", "P",
               "With --mode path: the probability that a path continues after each bounce, up to "
@@ -548,7 +558,7 @@ constexpr std::array option_rows{
               "With --mode path: physics (default), or course: as the published pictures of the "
               "course, in which light of lamps falls off with the distance instead of its square, "
               "and materials with a bright Ks have no Kd.",
-              for_render | for_explain | for_view, set_convention, "convention"},
+              for_render | for_explain | for_view | for_diff, set_convention, "convention"},
     OptionRow{
         "--clamp", "", "N",
         "With --mode path: the maximum of indirect light in a sample. Removes bright specks, "
@@ -572,6 +582,9 @@ constexpr std::array option_rows{
         for_diff, set_name<&Options::scene>},
     OptionRow{"--heatmap", "", "OUT", "Write a picture of the differences: a .png.", for_diff,
               set_png<&Options::heatmap>},
+    OptionRow{"--energy", "", "OUT",
+              "Write the light by bounces, of a path-traced picture and of the truth: an .svg.",
+              for_diff, set_svg},
     OptionRow{"--sheet", "", "OUT",
               "Write both pictures, their differences and FLIP side by side: a .png.", for_diff,
               set_png<&Options::sheet>},

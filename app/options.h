@@ -98,6 +98,7 @@ struct Options {
   std::string scene;  ///< the scene of the reference picture
   std::string heatmap;
   std::string sheet;
+  std::string energy;  ///< diff: an SVG of light by bounces
   Thresholds thresholds;
   int pixel_threshold = 8;  ///< in 1/255
   std::string references;

@@ -172,10 +172,11 @@ void Lamps::add_triangles(const Parts& parts) {
         return place.world_from_object.vector(glm::dvec3(mesh.positions[corners[corner]]) -
                                               glm::dvec3(mesh.positions[corners[0]]));
       };
-      const double power =
-          glm::length(glm::cross(edge(1), edge(2))) / 2 * radiance_[place.mesh][material];
+      const double area = glm::length(glm::cross(edge(1), edge(2))) / 2;
+      const double power = area * radiance_[place.mesh][material];
       if (power > 0 && std::isfinite(power)) {
         triangles_.push_back({p, index});
+        areas_.push_back(area);
         powers.push_back(power);
         power_ += power;
       }
@@ -190,7 +191,8 @@ void Lamps::add_triangles(const Parts& parts) {
 }
 
 LampPoint Lamps::sample(glm::dvec2 point) const {
-  const Triangle& triangle = triangles_[table_.choose(point.x)];
+  const std::uint32_t chosen = table_.choose(point.x);
+  const Triangle& triangle = triangles_[chosen];
   const Place& place = places_[triangle.place];
   const Mesh& mesh = assets_->meshes[place.mesh];
   const glm::dvec2 weights = in_triangle(point);
@@ -206,6 +208,8 @@ LampPoint Lamps::sample(glm::dvec2 point) const {
   lamp.emission =
       Color(material.emission) * map_color(pyramids_, material.emission_map, surface.uv);
   lamp.density = density(place.mesh, index);
+  lamp.triangle = chosen;
+  lamp.weights = weights;
   return lamp;
 }
 

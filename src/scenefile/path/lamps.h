@@ -34,6 +34,8 @@ struct LampPoint {
   glm::dvec3 normal{0, 1, 0};  ///< unit length, on the side that emits
   Color emission{0};           ///< radiance
   double density = 0;          ///< per area in world space
+  std::uint32_t triangle = 0;  ///< of the lamps
+  glm::dvec2 weights{0};       ///< barycentric, of its second and third corner
 };
 
 /// Chooses an index with probability weight / sum of weights in constant time (Walker's alias
@@ -67,6 +69,8 @@ class Lamps {
 
   bool empty() const { return triangles_.empty(); }
   std::size_t size() const { return triangles_.size(); }
+  /// The area of a triangle in world space.
+  double area(std::size_t triangle) const { return areas_[triangle]; }
   /// `point` is uniform in the unit square.
   LampPoint sample(glm::dvec2 point) const;
   /// The density, per area, of sample() for a point on a triangle with a face material; 0: not a
@@ -92,6 +96,7 @@ class Lamps {
   std::vector<std::vector<double>> radiance_;  ///< by mesh and face material; mean luminance
   std::vector<Place> places_;
   std::vector<Triangle> triangles_;
+  std::vector<double> areas_;
   AliasTable table_;
   double power_ = 0;
 };

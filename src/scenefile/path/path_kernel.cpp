@@ -199,6 +199,9 @@ class Path {
     const double falloff =
         course() ? light.distance * double(scene_.lamps.size()) : light.distance * light.distance;
     const BsdfValue value = evaluate(point.bsdf, point.facing, light.to_light);
+    light.lamp_cosine = cosine;
+    light.lamp = lamp.triangle;
+    light.lamp_weights = lamp.weights;
     light.emission = lamp.emission;
     light.reflected = value.light;
     light.density = count * lamp.density * falloff / cosine;

@@ -33,6 +33,9 @@ struct PathLight {
   std::uint32_t light = no_index;  ///< into RenderScene::lights; no_index: a lamp
   glm::dvec3 to_light{0};          ///< unit length
   double distance = 0;             ///< world units; infinite for directional lights
+  double lamp_cosine = 0;          ///< between a lamp's normal and the direction to the vertex
+  std::uint32_t lamp = no_index;   ///< triangle of the lamps
+  glm::dvec2 lamp_weights{0};      ///< where on it: barycentric, of its second and third corner
   /// Radiance of the lamp toward the vertex; 0 if it faces away. Of a light its color *
   /// (attenuation * spot factor).
   Color emission{0};

@@ -1,0 +1,155 @@
+#include "app/diff_paths.h"
+
+#include "app/load.h"
+#include "app/output.h"
+#include "app/progress.h"
+#include "scenefile/base/text.h"
+#include "scenefile/compare/sheet.h"
+#include "scenefile/io/file.h"
+#include "scenefile/verbs/compare_paths.h"
+#include "scenefile/verbs/scene_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace scenefile::app {
+
+namespace {
+
+struct Judged {
+  PathVerdict mine;
+  std::optional<PathVerdict> reference;
+  std::vector<std::string> broken;  // thresholds
+};
+
+ExitCode write_pictures_of(const Options& options, const PathTruth& truth, const Texture& mine,
+                           const PathVerdict& verdict, Context& context) {
+  ExitCode status = ExitCode::fine;
+  const Texture map = significance_picture(truth, verdict);
+  if (!options.heatmap.empty()) {
+    status = save_picture(options.heatmap, map, context);
+  }
+  if (!options.sheet.empty()) {
+    const Texture right = truth_picture(truth);
+    const std::vector<const Texture*> pictures{&right, &mine, &map};
+    status = worse(status, save_picture(options.sheet, side_by_side(pictures), context));
+  }
+  if (!options.energy.empty()) {
+    if (const std::string error = error_text(write_file(options.energy, energy_svg(verdict)));
+        !error.empty()) {
+      say_error(error);
+      status = worse(status, ExitCode::environment);
+    }
+  }
+  return status;
+}
+
+std::string text_of(const Options& options, std::span<const LoadedPicture> pictures,
+                    const Judged& judged) {
+  std::string text;
+  for (const LoadedPicture& picture : pictures) {
+    text +=
+        fmt::format("{}{}", text.empty() ? "" : " and ", escaped(shown_name(picture.path), 4096));
+  }
+  text += fmt::format(", by the truth of {}\n", escaped(shown_name(options.scene), 4096));
+  if (judged.reference && !judged.reference->right) {
+    text +=
+        fmt::format("note: the first picture is not the truth of the scene within its noise{}\n",
+                    judged.reference->too_noisy ? ", or it is too noisy" : "");
+    for (const PathClaim& claim : judged.reference->causes) {
+      text += fmt::format("note: in the first picture {}\n", claim.what);
+    }
+  }
+  for (const std::string& clause : judged.broken) {
+    text += fmt::format("different: {}\n", clause);
+  }
+  return text + path_verdict_text(judged.mine);
+}
+
+std::string json_of(std::span<const LoadedPicture> pictures, const LoadedScene& scene,
+                    const Judged& judged, bool same) {
+  Json json;
+  begin_document(json, "diff");
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const LoadedPicture& picture = pictures[i];
+    json.begin_object(i + 1 == pictures.size() ? "b" : "a");
+    json.add("file", picture.path);
+    json.add("width", picture.picture.texture.width);
+    json.add("height", picture.picture.texture.height);
+    json.add("jpeg", picture.picture.jpeg);
+    json.add("not_finite", picture.picture.not_finite);
+    json.end_object();
+  }
+  json.key("scene");
+  json.raw(scene_json(scene));
+  json.add("same", same);
+  add_clauses(json, "broken", judged.broken);
+  json.begin_object("path");
+  add_path_verdict(json, judged.mine);
+  json.end_object();
+  if (judged.reference) {
+    json.begin_object("reference_path");
+    add_path_verdict(json, *judged.reference);
+    json.end_object();
+  }
+  json.end_object();
+  return json.text();
+}
+
+}  // namespace
+
+bool are_path_traced(const Options& options, const LoadedScene& scene) {
+  return options.render.mode == Mode::path ||
+         (may_choose_path_mode(options) && !was_given(options, "--profile") &&
+          lit_by_faces_only(scene) && option_without_paths(options).empty());
+}
+
+ExitCode diff_paths(Options options, std::span<const LoadedPicture> pictures,
+                    const LoadedScene& scene, Context& context) {
+  const Texture& mine = pictures.back().picture.texture;
+  const Texture& first = pictures.front().picture.texture;
+  if (first.width != mine.width || first.height != mine.height) {
+    say_error(
+        fmt::format("the pictures have {}x{} and {}x{} pixels; path-traced pictures are "
+                    "compared only at the same size",
+                    first.width, first.height, mine.width, mine.height));
+    return ExitCode::findings;
+  }
+  set_path_mode(options);
+  options.render.width = mine.width;
+  options.render.height = mine.height;
+  context.phase = "drawing the truth";
+  ProgressBar bar(!options.quiet && !options.json && wants_progress());
+  PathTruth truth;
+  const RenderStatus drawn = draw_truth(
+      scene, options.render, options.seconds > 0 ? options.seconds : truth_seconds,
+      [&](double done) {
+        bar.update(done);
+        return true;
+      },
+      truth);
+  if (const Outcome outcome = outcome_of(drawn, context); !outcome.error.empty()) {
+    say_error(outcome.error);
+    return outcome.status;
+  }
+  context.phase = "comparing the pictures";
+  Judged judged{judge_path(truth, pictures.back().picture), std::nullopt, {}};
+  if (pictures.size() > 1) {
+    judged.reference = judge_path(truth, pictures.front().picture);
+    if (options.thresholds != Thresholds()) {
+      judged.broken =
+          broken_thresholds(options.thresholds, measure(first, mine, options.pixel_threshold));
+    }
+  }
+  const bool same = judged.mine.right && judged.broken.empty();
+  const std::string text = options.json    ? json_of(pictures, scene, judged, same)
+                           : options.quiet ? std::string()
+                                           : text_of(options, pictures, judged);
+  ExitCode status = same ? ExitCode::fine : ExitCode::findings;
+  status = worse(status, write_pictures_of(options, truth, mine, judged.mine, context));
+  return text.empty() ? status : worse(status, answer(text));
+}
+
+}  // namespace scenefile::app

@@ -1,0 +1,73 @@
+#pragma once
+// Whether a path-traced picture is right within its noise, and if not, which mistake it shows.
+//
+// The means of blocks of 8x8 pixels are compared with the truth's. Their variance is that of the
+// truth's samples, shrunk to neighboring blocks and scaled by the median of what the picture's own
+// pixels vary within blocks, plus the measured noise of the truth. Each known mistake is a picture
+// with the same paths (path_truth.h), some with a factor, which is fitted by weighted least squares
+// beside a shift by parts of a pixel; errors of factors include those of the residuals.
+//
+// A difference counts if it is `claim_errors` standard errors, and `least_effect` of the light
+// concerned. For normal noise that is a corrected level (Sidak) of less than 1e-6 for all that is
+// tested; the margin is for the heavy tails of path tracing. A mistake is named if it leaves at
+// most a tenth of the excess over the noise, and no other one explains the picture as well.
+
+#include "scenefile/asset/image_file.h"
+#include "scenefile/noise/path_truth.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace scenefile {
+
+inline constexpr double claim_errors = 6;
+inline constexpr double least_effect = 0.04;
+
+/// A mistake, or another convention.
+struct PathClaim {
+  std::string name;      ///< such as "lamp-cosine"
+  std::string what;      ///< as a phrase
+  std::string evidence;  ///< numbers, as text
+  double explained = 0;  ///< of the excess over the noise, at most 1
+};
+
+/// A kind of light, and how much of it the picture has.
+struct PathPlace {
+  std::string name;   ///< "direct light"
+  double share = 0;   ///< of the truth's light, without visible lamps
+  double factor = 1;  ///< mine / truth
+  double error = 0;   ///< standard error of the factor
+};
+
+struct PathVerdict {
+  bool right = false;                  ///< nothing found, and noise would have hidden little
+  bool too_noisy = false;              ///< nothing found, but noise could hide much
+  double more_samples = 1;             ///< too_noisy: how many times as many would do
+  std::vector<PathClaim> causes;       ///< one, or several that give the same picture
+  std::vector<PathClaim> partial;      ///< true, but not all
+  std::vector<PathClaim> conventions;  ///< differences that are not wrong
+  std::vector<PathClaim> notes;
+  std::vector<PathPlace> places;
+  std::vector<double> energy_truth;  ///< by bounces from 1, mean luminance, without visible lamps
+  std::vector<double> energy_mine;   ///< the same as fitted; empty if that is not possible
+  std::vector<double> significance;  ///< by block: (mine - truth) / standard error
+  int columns = 0;                   ///< of blocks
+  std::size_t tested = 0;            ///< blocks that were compared
+  double critical = 0;  ///< largest |significance| by chance at the corrected level of 1 %
+  double largest = 0;   ///< largest |significance|
+  double samples = 0;   ///< per pixel that a program like ours needs for this noise
+  double truth_samples = 0;
+  std::string curve;           ///< how 8-bit values were made
+  double exposure = 1;         ///< fitted factor of 8-bit pictures
+  std::size_t fireflies = 0;   ///< pixels far above their neighbors
+  double firefly_energy = 0;   ///< their share of the light without visible lamps
+  std::size_t not_finite = 0;  ///< pixels
+  std::size_t clipped = 0;     ///< pixels
+  double chi2_per_value = 0;   ///< of the best explanation; about 1 if it is complete
+};
+
+/// The picture must have the size of the truth.
+PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine);
+
+}  // namespace scenefile

@@ -1,0 +1,493 @@
+#include "scenefile/noise/path_truth.h"
+
+#include "scenefile/path/path_kernel.h"
+#include "scenefile/trace/optics.h"
+#include "scenefile/trace/tasks.h"
+#include "scenefile/trace/trace_scene.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <ctime>
+#include <memory>
+#include <numbers>
+
+namespace scenefile {
+
+namespace {
+
+using glm::dvec3;
+using std::numbers::pi;
+
+using Weights = std::array<Color, change_count>;
+
+// 0 / 0 is 1: what has no part in a product does not change it.
+Color quotient(const Color& a, const Color& b) {
+  Color q;
+  for (int c = 0; c < 3; ++c) {
+    q[c] = b[c] > 0 ? a[c] / b[c] : 1;
+  }
+  return q;
+}
+
+// The diffuse and the glossy part of a BSDF without cosine.
+struct Reflectance {
+  Color diffuse{0};
+  Color glossy{0};
+  Color sum() const { return diffuse + glossy; }
+};
+
+double lobe_of(double cosine, double shininess) {
+  return cosine > 0 ? std::pow(cosine, shininess) * (shininess + 2) / (2 * pi) : 0;
+}
+
+Reflectance reflectance_of(const PathPoint& point, const dvec3& to_light) {
+  const Facing& f = point.facing;
+  const dvec3 mirrored = 2 * glm::dot(f.normal, f.to_eye) * f.normal - f.to_eye;
+  return {point.bsdf.diffuse / pi,
+          point.bsdf.glossy * lobe_of(glm::dot(mirrored, to_light), point.bsdf.shininess)};
+}
+
+// What both light samples and scattered directions change.
+void weigh_reflectance(const PathPoint& point, const dvec3& to_light, Weights& w) {
+  const auto at = [&w](Change change) -> Color& { return w[static_cast<std::size_t>(change)]; };
+  const Reflectance r = reflectance_of(point, to_light);
+  const Color all = r.sum();
+  const Color white = glm::sign(point.bsdf.diffuse) / pi;
+  at(Change::diffuse_missing) *= quotient(white + r.glossy, all);
+  at(Change::diffuse_twice) *= quotient(r.diffuse * point.bsdf.diffuse + r.glossy, all);
+  if (point.bsdf.glossy == Color(0)) {
+    return;
+  }
+  const Facing& f = point.facing;
+  at(Change::glossy_scale) *=
+      quotient(r.diffuse + r.glossy * (2 * pi / (point.bsdf.shininess + 2)), all);
+  at(Change::glossy_missing) *= quotient(r.diffuse, all);
+  const double half = glm::dot(glm::normalize(f.to_eye + to_light), f.normal);
+  at(Change::glossy_blinn) *=
+      quotient(r.diffuse + point.bsdf.glossy * lobe_of(half, point.bsdf.shininess), all);
+  if (luminance(point.bsdf.glossy) > luminance(point.bsdf.diffuse)) {
+    at(Change::lobe_alone) *= quotient(r.glossy, all);
+  }
+}
+
+Color times(const Color& color, double by) {
+  return color * by;
+}
+
+void weigh_sample(const PathPoint& point, const PathLight& light, const Lamps& lamps, Weights& w) {
+  const auto at = [&w](Change change) -> Color& { return w[static_cast<std::size_t>(change)]; };
+  const double cosine = std::max(1e-4, glm::dot(point.facing.normal, light.to_light));
+  weigh_reflectance(point, light.to_light, w);
+  const Reflectance r = reflectance_of(point, light.to_light);
+  const Color white = glm::sign(point.bsdf.diffuse) / pi;
+  at(Change::diffuse_missing_direct) *= quotient(white + r.glossy, r.sum());
+  at(Change::diffuse_twice_direct) *= quotient(r.diffuse * point.bsdf.diffuse + r.glossy, r.sum());
+  at(Change::surface_cosine_direct) /= cosine;
+  at(Change::surface_cosine) /= cosine;
+  at(Change::surface_cosine_twice) *= cosine;
+  if (light.lamp == no_index) {
+    return;
+  }
+  const double lamp_cosine = std::max(1e-4, light.lamp_cosine);
+  at(Change::lamp_cosine) /= lamp_cosine;
+  at(Change::lamp_cosine_twice) *= lamp_cosine;
+  at(Change::falloff_distance) *= light.distance;
+  at(Change::falloff_none) *= light.distance * light.distance;
+  at(Change::falloff_cube) /= light.distance;
+  // Densities of points on triangles, against uniform ones: (u, v (1 - u)); (u (1 - v), v); three
+  // numbers divided by their sum.
+  const double u = light.lamp_weights.x;
+  const double v = light.lamp_weights.y;
+  at(Change::corner_points) /= std::max(1e-3, 2 * (1 - u));
+  at(Change::edge_points) /= std::max(1e-3, 2 * (1 - v));
+  const double most = std::max({u, v, 1 - u - v});
+  at(Change::normalized_points) /= 6 * most * most * most;
+  at(Change::lamp_area) /= lamps.area(light.lamp);
+  at(Change::first_lamp) *= light.lamp == 0 ? 1.0 : 0.0;
+  at(Change::last_lamp) *= light.lamp + 1 == lamps.size() ? 1.0 : 0.0;
+}
+
+void weigh_specular(const PathPoint& point, const BsdfSample& next, Weights& w) {
+  const auto at = [&w](Change change) -> Color& { return w[static_cast<std::size_t>(change)]; };
+  const double cosine = glm::dot(point.facing.normal, point.facing.to_eye);
+  if (next.lobe == BsdfLobe::mirror) {
+    at(Change::mirror_cosine) *= cosine;
+    at(Change::mirror_without_color) *= quotient(Color(1), point.bsdf.mirror);
+    return;
+  }
+  const double eta = point.facing.outside ? 1 / point.bsdf.ior : point.bsdf.ior;
+  const double reflected = fresnel_reflectance(cosine, eta);
+  const bool reflects = next.lobe == BsdfLobe::reflection;
+  if (reflected >= 1) {
+    at(Change::no_total_reflection) *= 0.0;
+    return;
+  }
+  const double share = reflects ? reflected : 1 - reflected;
+  at(Change::fresnel_twice) *= share;
+  at(Change::no_fresnel) *= reflects ? 0 : 1 / share;
+  at(Change::half_fresnel) *= 0.5 / share;
+  const double base = (1 - point.bsdf.ior) / (1 + point.bsdf.ior);
+  const double inside = std::sqrt(std::max(0.0, 1 - eta * eta * (1 - cosine * cosine)));
+  const double power = std::pow(1 - (point.facing.outside ? cosine : inside), 5);
+  const double schlick = base * base + (1 - base * base) * power;
+  at(Change::schlick) *= (reflects ? schlick : 1 - schlick) / share;
+}
+
+void weigh_rough(const PathPoint& point, const dvec3& direction, Weights& w) {
+  const auto at = [&w](Change change) -> Color& { return w[static_cast<std::size_t>(change)]; };
+  const double cosine = std::max(1e-2, glm::dot(point.facing.normal, direction));
+  weigh_reflectance(point, direction, w);
+  const Reflectance r = reflectance_of(point, direction);
+  const Color white = glm::sign(point.bsdf.diffuse) / pi;
+  at(Change::diffuse_missing_indirect) *= quotient(white + r.glossy, r.sum());
+  at(Change::diffuse_twice_indirect) *=
+      quotient(r.diffuse * point.bsdf.diffuse + r.glossy, r.sum());
+  at(Change::surface_cosine_indirect) /= cosine;
+  at(Change::surface_cosine) /= cosine;
+  at(Change::uniform_density) *= times(Color(2), cosine);
+  at(Change::cosine_density) /= 2 * cosine;
+  at(Change::polar_density) *= 2 / (pi * std::sqrt(std::max(1e-4, 1 - cosine * cosine)));
+}
+
+constexpr std::size_t kind_count =
+    std::size_t{2} * (most_rough + 1) * (most_mirror + 1) * (most_glass + 1);
+
+std::size_t index_of(const LightKind& kind) {
+  const auto least = [](int value, int most) {
+    return static_cast<std::size_t>(std::min(value, most));
+  };
+  return ((static_cast<std::size_t>(kind.hit) * (most_rough + 1) + least(kind.rough, most_rough)) *
+              (most_mirror + 1) +
+          least(kind.mirror, most_mirror)) *
+             (most_glass + 1) +
+         least(kind.glass, most_glass);
+}
+
+LightKind kind_at(std::size_t index) {
+  LightKind kind;
+  kind.glass = static_cast<std::uint8_t>(index % (most_glass + 1));
+  index /= most_glass + 1;
+  kind.mirror = static_cast<std::uint8_t>(index % (most_mirror + 1));
+  index /= most_mirror + 1;
+  kind.rough = static_cast<std::uint8_t>(index % (most_rough + 1));
+  kind.hit = index / (most_rough + 1) != 0;
+  return kind;
+}
+
+// Sums over the paths of a block.
+struct BlockSums {
+  std::array<Color, kind_count> kinds{};
+  Weights sampled{};
+  Weights hit{};
+  bool glass = false;
+  bool mirror = false;
+  bool glossy = false;
+};
+
+void add_path(const PathRecord& path, const Lamps& lamps, BlockSums& sums) {
+  LightKind kind;
+  Weights along;
+  along.fill(Color(1));
+  for (const PathVertex& v : path.vertices) {
+    sums.glossy = sums.glossy || v.point.bsdf.glossy != Color(0);
+    if (v.emission != Color(0)) {
+      const Color light = v.throughput * v.emission;
+      kind.hit = true;
+      sums.kinds[index_of(kind)] += light;
+      if (kind.bounces() > 0) {
+        for (std::size_t c = 0; c < change_count; ++c) {
+          sums.hit[c] += along[c] * light;
+        }
+      }
+    }
+    kind.hit = false;
+    for (std::uint32_t i = v.first_light; i < v.first_light + v.lights; ++i) {
+      const PathLight& light = path.lights[i];
+      if (light.unshadowed == Color(0)) {
+        continue;
+      }
+      const Color arrived = v.throughput * light.contribution;
+      sums.kinds[index_of(kind)] += arrived;
+      sums.sampled[static_cast<std::size_t>(Change::no_visibility)] +=
+          v.throughput * light.unshadowed;
+      if (arrived != Color(0)) {
+        Weights here = along;
+        weigh_sample(v.point, light, lamps, here);
+        for (std::size_t c = 0; c < change_count; ++c) {
+          if (c != static_cast<std::size_t>(Change::no_visibility)) {
+            sums.sampled[c] += here[c] * arrived;
+          }
+        }
+      }
+    }
+    if (v.next.lobe == BsdfLobe::none) {
+      break;
+    }
+    if (!v.next.specular()) {
+      weigh_rough(v.point, v.next.to_light, along);
+      ++kind.rough;
+    } else {
+      weigh_specular(v.point, v.next, along);
+      const bool is_mirror = v.next.lobe == BsdfLobe::mirror;
+      ++(is_mirror ? kind.mirror : kind.glass);
+      (is_mirror ? sums.mirror : sums.glass) = true;
+    }
+  }
+}
+
+// Sums over passes.
+struct Totals {
+  std::vector<BlockSums> blocks;
+  std::vector<Color> squares;  // of the blocks' sums of each pass
+  std::vector<Color> pixels;
+  std::vector<Color> pixel_squares;
+};
+
+void draw_block(const PathScene& scene, std::uint32_t first, std::uint32_t end, int column, int row,
+                const PathTruth& truth, Totals& totals, RayCounts& counts) {
+  const std::size_t block = std::size_t(row) * truth.columns + column;
+  PathRecord path;
+  Color sum(0);
+  for (int y = row * block_side; y < std::min(truth.height, (row + 1) * block_side); ++y) {
+    for (int x = column * block_side; x < std::min(truth.width, (column + 1) * block_side); ++x) {
+      const std::size_t pixel = std::size_t(y) * truth.width + x;
+      for (std::uint32_t i = first; i < end; ++i) {
+        const Color light = path_light(scene, x, y, i, counts, &path);
+        if (!std::isfinite(luminance(light))) {
+          continue;
+        }
+        sum += light;
+        totals.pixels[pixel] += light;
+        totals.pixel_squares[pixel] += light * light;
+        add_path(path, scene.lamps, totals.blocks[block]);
+      }
+    }
+  }
+  totals.squares[block] += sum * sum;
+}
+
+void set_means(const PathScene& scene, const Totals& totals, int passes, PathTruth& truth) {
+  const double n = truth.samples;
+  truth.pixels.resize(totals.pixels.size());
+  truth.deviations.resize(totals.pixels.size());
+  for (std::size_t i = 0; i < totals.pixels.size(); ++i) {
+    truth.pixels[i] = totals.pixels[i] / n;
+    truth.deviations[i] =
+        glm::max(Color(0),
+                 (totals.pixel_squares[i] / n - truth.pixels[i] * truth.pixels[i]) * (n / (n - 1)));
+  }
+  truth.noise.resize(truth.blocks());
+  for (ChangedPicture& changed : truth.changes) {
+    changed.sampled.resize(truth.blocks());
+    changed.hit.resize(truth.blocks());
+  }
+  for (std::size_t b = 0; b < truth.blocks(); ++b) {
+    const BlockSums& sums = totals.blocks[b];
+    const int left = static_cast<int>(b) % truth.columns * block_side;
+    const int top = static_cast<int>(b) / truth.columns * block_side;
+    const double pixels =
+        std::min(block_side, truth.width - left) * std::min(block_side, truth.height - top);
+    const double all = pixels * n;
+    Color sum(0);
+    for (std::size_t k = 0; k < kind_count; ++k) {
+      if (sums.kinds[k] != Color(0)) {
+        BlockColors& kind = truth.kinds[kind_at(k)];
+        kind.resize(truth.blocks());
+        kind[b] = sums.kinds[k] / all;
+        sum += sums.kinds[k];
+      }
+    }
+    const Color of_sum = glm::max(
+        Color(0), (totals.squares[b] - sum * sum / double(passes)) * (passes / (passes - 1.0)));
+    truth.noise[b] = of_sum / (all * all);
+    for (std::size_t c = 0; c < change_count; ++c) {
+      truth.changes[c].sampled[b] = sums.sampled[c] / all;
+      truth.changes[c].hit[b] = sums.hit[c] / all;
+    }
+    truth.glass = truth.glass || sums.glass;
+    truth.mirror = truth.mirror || sums.mirror;
+    truth.glossy = truth.glossy || sums.glossy;
+  }
+  truth.lamp_areas.clear();
+  for (std::size_t i = 0; i < scene.lamps.size(); ++i) {
+    truth.lamp_areas.push_back(scene.lamps.area(i));
+  }
+}
+
+// Whether the passes so far leave no time for another one.
+bool time_is_over(std::clock_t start, int passes, double seconds) {
+  const double spent = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  return seconds > 0 && spent * (passes + 1) / passes > seconds;
+}
+
+RenderOptions as_truth(RenderOptions options) {
+  options.mis = false;  // so that light samples and hits are separate, as in most programs
+  options.light_samples = 1;
+  options.crop.reset();
+  options.layers.clear();
+  options.denoise = false;
+  return options;
+}
+
+// The other side of faces that emit light.
+void make_two_sided(Mesh& mesh, MeshMaterials& materials) {
+  const std::size_t count = materials.of_triangle.size();
+  const auto reversed = [](std::array<std::uint32_t, 3> corners) {
+    std::swap(corners[1], corners[2]);
+    return corners;
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t material = materials.of_triangle[i];
+    if (material == mesh_no_index || materials.materials[material].emission == glm::vec3(0)) {
+      continue;
+    }
+    mesh.triangles.push_back(reversed(mesh.triangles[i]));
+    for (auto* list : {&mesh.triangle_normals, &mesh.triangle_uvs}) {
+      if (!list->empty()) {
+        list->push_back(list == &mesh.triangle_normals
+                            ? std::array{mesh_no_index, mesh_no_index, mesh_no_index}
+                            : reversed((*list)[i]));
+      }
+    }
+    materials.of_triangle.push_back(material);
+  }
+}
+
+// False if the scene stays the same.
+bool change(Variant variant, const PathTruth& truth, RenderScene& scene, Assets& assets) {
+  bool changed = false;
+  switch (variant) {
+    case Variant::two_sided_lamps:
+      for (std::size_t m = 0; m < assets.mesh_materials.size(); ++m) {
+        make_two_sided(assets.meshes[m], assets.mesh_materials[m]);
+      }
+      return has_emissive_faces(assets);
+    case Variant::inverted_index:
+      for (RenderMaterial& material : scene.materials) {
+        material.ior = 1 / material.ior;
+      }
+      for (MeshMaterials& mesh : assets.mesh_materials) {
+        for (FaceMaterial& material : mesh.materials) {
+          material.ior = 1 / material.ior;
+        }
+      }
+      return truth.glass;
+    case Variant::flat_normals:
+      for (Mesh& mesh : assets.meshes) {
+        changed = changed || !mesh.triangle_normals.empty();
+        mesh.triangle_normals.clear();
+      }
+      return changed;
+  }
+  return false;
+}
+
+BlockColors draw_picture(const PathScene& scene, const PathTruth& truth, double seconds) {
+  BlockColors sums(truth.blocks(), Color(0));
+  const std::clock_t start = std::clock();
+  constexpr std::uint32_t of_pass = 4;
+  int passes = 0;
+  do {
+    for_each_task(truth.blocks(), [&](std::size_t block) {
+      RayCounts counts;
+      const int left = static_cast<int>(block) % truth.columns * block_side;
+      const int top = static_cast<int>(block) / truth.columns * block_side;
+      const int right = std::min(truth.width, left + block_side);
+      const int bottom = std::min(truth.height, top + block_side);
+      Color sum(0);
+      for (int y = top; y < bottom; ++y) {
+        for (int x = left; x < right; ++x) {
+          for (std::uint32_t i = 0; i < of_pass; ++i) {
+            const Color light = path_light(scene, x, y, passes * of_pass + i, counts);
+            sum += std::isfinite(luminance(light)) ? light : Color(0);
+          }
+        }
+      }
+      sums[block] += sum / double((right - left) * (bottom - top));
+    });
+    ++passes;
+  } while (!time_is_over(start, passes, seconds));
+  for (Color& sum : sums) {
+    sum /= double(passes) * of_pass;
+  }
+  return sums;
+}
+
+}  // namespace
+
+RenderStatus draw_truth(const TraceScene& traced, const RenderScene& scene,
+                        const RenderOptions& options, double seconds, std::uint32_t samples,
+                        const Progress& progress, PathTruth& truth) {
+  if (traced.status() != RenderStatus::complete) {
+    return traced.status();
+  }
+  const PathScene paths(traced, scene, as_truth(options));
+  truth.width = paths.options.width;
+  truth.height = paths.options.height;
+  truth.columns = (truth.width + block_side - 1) / block_side;
+  truth.rows = (truth.height + block_side - 1) / block_side;
+  Totals totals;
+  totals.blocks.resize(truth.blocks());
+  totals.squares.resize(truth.blocks());
+  totals.pixels.resize(std::size_t(truth.width) * truth.height);
+  totals.pixel_squares.resize(totals.pixels.size());
+  const ThreadLimit limit(options.threads);
+  constexpr std::uint32_t of_pass = 4;
+  constexpr int fewest_passes = 4;
+  const std::clock_t start = std::clock();
+  int passes = 0;
+  std::atomic<bool> stopped{false};
+  for (std::uint32_t first = 0; first < std::max(samples, fewest_passes * of_pass);
+       first += of_pass) {
+    for_each_task(truth.blocks(), [&](std::size_t block) {
+      RayCounts counts;
+      if (!stopped && !paths.tracer.accelerator.overwhelmed()) {
+        draw_block(paths, first, first + of_pass, static_cast<int>(block) % truth.columns,
+                   static_cast<int>(block) / truth.columns, truth, totals, counts);
+      }
+    });
+    if (paths.tracer.accelerator.overwhelmed()) {
+      return RenderStatus::limit_reached;
+    }
+    ++passes;
+    const double spent = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    if (progress && !progress(std::min(1.0, std::max(double(first + of_pass) / samples,
+                                                     seconds > 0 ? spent / seconds : 0)))) {
+      return RenderStatus::cancelled;
+    }
+    if (passes >= fewest_passes && time_is_over(start, passes, seconds)) {
+      break;
+    }
+  }
+  truth.samples = double(passes) * of_pass;
+  set_means(paths, totals, passes, truth);
+  return RenderStatus::complete;
+}
+
+RenderStatus draw_variants(const RenderScene& scene, const Assets& assets,
+                           const RenderOptions& options, double seconds, const Progress& progress,
+                           PathTruth& truth) {
+  constexpr std::array all{Variant::two_sided_lamps, Variant::inverted_index,
+                           Variant::flat_normals};
+  const ThreadLimit limit(options.threads);
+  for (const Variant variant : all) {
+    if (progress && !progress(1)) {
+      return RenderStatus::cancelled;
+    }
+    RenderScene other = scene;
+    Assets files = assets;
+    if (!change(variant, truth, other, files)) {
+      continue;
+    }
+    const TraceScene traced(other, files, {.threads = options.threads});
+    if (traced.status() != RenderStatus::complete) {
+      return traced.status();
+    }
+    const PathScene paths(traced, other, as_truth(options));
+    truth.variants.push_back({variant, draw_picture(paths, truth, seconds / all.size())});
+  }
+  return RenderStatus::complete;
+}
+
+}  // namespace scenefile

@@ -1,0 +1,129 @@
+#pragma once
+// The right picture of a scene, as sums over blocks of pixels: by what happened to the light, and
+// as programs with one mistake would draw it. All of them come from the same paths, whose terms are
+// weighted differently, so that their differences have little noise.
+
+#include "scenefile/asset/load_assets.h"
+#include "scenefile/scene/render_scene.h"
+#include "scenefile/trace/color.h"
+#include "scenefile/trace/render.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string_view>
+#include <vector>
+
+namespace scenefile {
+
+/// Pixels of the side of a block. Blocks at the right and lower edge may be smaller.
+inline constexpr int block_side = 8;
+
+/// By block, row by row: a value for red, green and blue.
+using BlockColors = std::vector<Color>;
+
+/// Kinds of light. All of them add up to the picture.
+struct LightKind {
+  bool hit =
+      false;  ///< the path hit a lamp: after the camera, mirrors, glass. False: light samples
+  std::uint8_t rough = 0;   ///< diffuse or glossy reflections before the last surface
+  std::uint8_t mirror = 0;  ///< reflections by mirrors; 2 stands for more, too
+  std::uint8_t glass = 0;   ///< reflections and refractions by glass
+
+  int bounces() const { return rough + mirror + glass; }
+  friend auto operator<=>(const LightKind&, const LightKind&) = default;
+};
+inline constexpr int most_rough = 9;  ///< and more
+inline constexpr int most_mirror = 2;
+inline constexpr int most_glass = 5;
+
+/// Changes of the terms of paths, as by a mistake or another convention.
+enum class Change : std::uint8_t {
+  surface_cosine_direct,
+  surface_cosine_indirect,
+  surface_cosine,
+  surface_cosine_twice,
+  lamp_cosine,
+  lamp_cosine_twice,
+  falloff_distance,
+  falloff_none,
+  falloff_cube,
+  no_visibility,
+  diffuse_missing_direct,
+  diffuse_missing_indirect,
+  diffuse_missing,
+  diffuse_twice_direct,
+  diffuse_twice_indirect,
+  diffuse_twice,
+  glossy_scale,
+  glossy_missing,
+  glossy_blinn,
+  lobe_alone,
+  uniform_density,
+  cosine_density,
+  polar_density,
+  corner_points,
+  edge_points,
+  normalized_points,
+  lamp_area,
+  first_lamp,
+  last_lamp,
+  fresnel_twice,
+  no_fresnel,
+  half_fresnel,
+  no_total_reflection,
+  schlick,
+  mirror_cosine,
+  mirror_without_color,
+};
+inline constexpr std::size_t change_count =
+    static_cast<std::size_t>(Change::mirror_without_color) + 1;
+
+/// The picture after a change, in two parts.
+struct ChangedPicture {
+  BlockColors sampled;  ///< by light samples
+  BlockColors hit;      ///< by paths that hit lamps after a reflection or refraction
+};
+
+/// Changes of the scene, as by another convention or a mistake. Each needs its own paths.
+enum class Variant : std::uint8_t { two_sided_lamps, inverted_index, flat_normals };
+struct VariantPicture {
+  Variant variant = Variant::two_sided_lamps;
+  BlockColors picture;
+};
+
+/// Means; variances are those of means over `samples`.
+struct PathTruth {
+  int width = 0;  ///< pixels
+  int height = 0;
+  int columns = 0;  ///< blocks
+  int rows = 0;
+  double samples = 0;             ///< per pixel
+  std::vector<Color> pixels;      ///< the picture
+  std::vector<Color> deviations;  ///< by pixel: the variance of a single sample
+  BlockColors noise;              ///< by block: the variance of the picture's mean, measured
+  std::map<LightKind, BlockColors> kinds;
+  std::array<ChangedPicture, change_count> changes;
+  std::vector<VariantPicture> variants;  ///< those that the scene can have
+  std::vector<double> lamp_areas;        ///< by triangle
+  bool glass = false;                    ///< some path met glass
+  bool mirror = false;
+  bool glossy = false;
+
+  std::size_t blocks() const { return std::size_t(columns) * rows; }
+};
+
+/// Draws it with the options of mode path until `seconds` of processor time are over, or the
+/// picture has `samples` per pixel. There are at least 4 passes. The status of `cancelled` and
+/// failed work is that of render(); the truth is then of no use. `traced`: of the scene.
+RenderStatus draw_truth(const TraceScene& traced, const RenderScene& scene,
+                        const RenderOptions& options, double seconds, std::uint32_t samples,
+                        const Progress& progress, PathTruth& truth);
+
+/// Adds the variants, each with as many samples as fit into an equal share of the time.
+RenderStatus draw_variants(const RenderScene& scene, const Assets& assets,
+                           const RenderOptions& options, double seconds, const Progress& progress,
+                           PathTruth& truth);
+
+}  // namespace scenefile

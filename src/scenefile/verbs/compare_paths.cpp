@@ -1,0 +1,223 @@
+#include "scenefile/verbs/compare_paths.h"
+
+#include "scenefile/path/tone.h"
+#include "scenefile/trace/trace_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace scenefile {
+
+namespace {
+
+void add_claim_lines(std::string& text, const char* word, const std::vector<PathClaim>& claims) {
+  for (const PathClaim& claim : claims) {
+    text += fmt::format("{}: {} [{}]{}{}\n", &claim == claims.data() ? word : "or", claim.what,
+                        claim.name, claim.evidence.empty() ? "" : "; ", claim.evidence);
+  }
+}
+
+void add_path_claims(Json& json, std::string_view name, const std::vector<PathClaim>& claims) {
+  json.begin_array(name);
+  for (const PathClaim& claim : claims) {
+    json.begin_object();
+    json.add("name", claim.name);
+    json.add("what", claim.what);
+    json.add("evidence", claim.evidence);
+    json.add("explained", claim.explained);
+    json.end_object();
+  }
+  json.end_array();
+}
+
+void add_numbers(Json& json, std::string_view name, const std::vector<double>& numbers) {
+  json.begin_array(name);
+  for (const double number : numbers) {
+    json.value(number);
+  }
+  json.end_array();
+}
+
+// Two digits are enough for a number of samples.
+double few_digits(double value) {
+  const double digits = std::pow(10, std::floor(std::log10(std::max(value, 1.0))) - 1);
+  return std::max(1.0, std::ceil(value / digits) * digits);
+}
+
+std::string place_of_largest(const PathVerdict& v) {
+  const auto most = std::max_element(v.significance.begin(), v.significance.end(),
+                                     [](double a, double b) { return std::abs(a) < std::abs(b); });
+  if (most == v.significance.end()) {
+    return {};
+  }
+  const auto block = static_cast<int>(most - v.significance.begin());
+  return fmt::format(" at pixel {},{}", block % v.columns * block_side + block_side / 2,
+                     block / v.columns * block_side + block_side / 2);
+}
+
+}  // namespace
+
+RenderStatus draw_truth(const LoadedScene& scene, const RenderOptions& options, double seconds,
+                        const Progress& progress, PathTruth& truth) {
+  const TraceScene traced(scene.ready.scene, scene.assets, {.threads = options.threads});
+  constexpr std::uint32_t most_samples = 4096;
+  constexpr double of_variants = 0.25;
+  const RenderStatus status =
+      draw_truth(traced, scene.ready.scene, options, (1 - of_variants) * seconds, most_samples,
+                 progress, truth);
+  return status != RenderStatus::complete ? status
+                                          : draw_variants(scene.ready.scene, scene.assets, options,
+                                                          of_variants * seconds, progress, truth);
+}
+
+std::string path_verdict_text(const PathVerdict& v) {
+  std::string text;
+  add_claim_lines(text, "cause", v.causes);
+  add_claim_lines(text, "in part", v.partial);
+  for (const PathClaim& c : v.conventions) {
+    text += fmt::format("convention: {} [{}]{}{}\n", c.what, c.name, c.evidence.empty() ? "" : "; ",
+                        c.evidence);
+  }
+  for (const PathClaim& c : v.notes) {
+    text += fmt::format("note: {}\n", c.what);
+  }
+  if (v.right) {
+    text += "right within its noise\n";
+  } else if (v.too_noisy) {
+    text += fmt::format(
+        "cannot tell: too noisy; about {:.0f} times as many samples per pixel would do\n",
+        few_digits(v.more_samples));
+  } else if (v.causes.empty() && v.partial.empty()) {
+    text += "different; no known mistake explains it\n";
+  }
+  text += fmt::format(
+      "  {} blocks of {}x{} pixels; largest difference {:.1f} standard errors{} ({:.1f} is the "
+      "most "
+      "by chance)\n",
+      v.tested, block_side, block_side, v.largest, place_of_largest(v), v.critical);
+  for (const PathPlace& place : v.places) {
+    text += fmt::format("  {}: {:.3f} +- {:.3f} of the truth's ({:.1f} % of it)\n", place.name,
+                        place.factor, place.error, 100 * place.share);
+  }
+  text += fmt::format("  noise as of {:.0f} samples per pixel; the truth has {:.0f}\n", v.samples,
+                      v.truth_samples);
+  if (v.curve != "linear values") {
+    text += fmt::format(
+        "  read as {}{}\n", v.curve,
+        v.exposure == 1 ? std::string() : fmt::format(" with exposure {:.3f}", v.exposure));
+  }
+  if (v.clipped > 0) {
+    text += fmt::format("  {} clipped pixels left out\n", v.clipped);
+  }
+  if (v.fireflies > 0) {
+    text += fmt::format("  {} fireflies with {:.1f} % of the light\n", v.fireflies,
+                        100 * v.firefly_energy);
+  }
+  return text;
+}
+
+Texture truth_picture(const PathTruth& truth) {
+  Image image(truth.width, truth.height);
+  for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+    for (int c = 0; c < 3; ++c) {
+      image.rgb[3 * i + c] = static_cast<float>(truth.pixels[i][c]);
+    }
+  }
+  return quantize(tone_mapped(std::move(image), Tone::course, 0), Rounding::nearest);
+}
+
+Texture significance_picture(const PathTruth& truth, const PathVerdict& v) {
+  Texture picture{truth.width, truth.height, {}};
+  picture.rgb.resize(std::size_t{3} * truth.width * truth.height);
+  for (int y = 0; y < truth.height; ++y) {
+    for (int x = 0; x < truth.width; ++x) {
+      const double z = v.significance[std::size_t(y / block_side) * truth.columns + x / block_side];
+      // Below what chance explains, nothing is shown.
+      const double shown =
+          std::clamp((std::abs(z) - v.critical / 2) / (2.5 * v.critical), 0.0, 1.0);
+      const auto rest = static_cast<std::uint8_t>(255 * (1 - shown));
+      std::uint8_t* rgb = &picture.rgb[std::size_t{3} * (std::size_t(y) * truth.width + x)];
+      rgb[0] = z == 0 ? 200 : z > 0 ? 255 : rest;
+      rgb[1] = z == 0 ? 200 : rest;
+      rgb[2] = z == 0 ? 200 : z > 0 ? rest : 255;
+    }
+  }
+  return picture;
+}
+
+std::string energy_svg(const PathVerdict& v) {
+  constexpr int width = 480;
+  constexpr int height = 300;
+  constexpr int bottom = 250;
+  double most = 1e-30;
+  for (const std::vector<double>* list : {&v.energy_truth, &v.energy_mine}) {
+    for (const double value : *list) {
+      most = std::max(most, value);
+    }
+  }
+  std::string svg = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
+      "height=\"{1}\" font-family=\"sans-serif\" font-size=\"12\">\n"
+      "<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n"
+      "<text x=\"20\" y=\"24\">Light by bounces, without visible lamps: truth (gray), mine "
+      "(blue)</text>\n",
+      width, height);
+  const auto bar = [&](double left, double value, const char* color) {
+    const double high = 190 * std::max(0.0, value) / most;
+    svg += fmt::format(
+        "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"36\" height=\"{:.1f}\" fill=\"{}\"/>\n"
+        "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\" font-size=\"10\">{:.3g}</text>\n",
+        left, bottom - high, high, color, left + 18, bottom - high - 4, value);
+  };
+  for (std::size_t i = 0; i < v.energy_truth.size(); ++i) {
+    const double left = 30 + 110.0 * static_cast<double>(i);
+    bar(left, v.energy_truth[i], "#999999");
+    if (i < v.energy_mine.size()) {
+      bar(left + 40, v.energy_mine[i], "#3366cc");
+    }
+    svg += fmt::format("<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}{}</text>\n",
+                       left + 38, bottom + 20, i + 1,
+                       i + 1 == v.energy_truth.size() ? " and more"
+                       : i == 0                       ? " (direct)"
+                                                      : "");
+  }
+  return svg + "</svg>\n";
+}
+
+void add_path_verdict(Json& json, const PathVerdict& v) {
+  json.add("right", v.right);
+  json.add("too_noisy", v.too_noisy);
+  json.add("more_samples", v.more_samples);
+  add_path_claims(json, "causes", v.causes);
+  add_path_claims(json, "partial", v.partial);
+  add_path_claims(json, "conventions", v.conventions);
+  add_path_claims(json, "notes", v.notes);
+  json.begin_array("places");
+  for (const PathPlace& place : v.places) {
+    json.begin_object();
+    json.add("name", place.name);
+    json.add("share", place.share);
+    json.add("factor", place.factor);
+    json.add("error", place.error);
+    json.end_object();
+  }
+  json.end_array();
+  add_numbers(json, "energy_truth", v.energy_truth);
+  add_numbers(json, "energy_mine", v.energy_mine);
+  json.add("blocks", v.tested);
+  json.add("largest_significance", v.largest);
+  json.add("critical_significance", v.critical);
+  json.add("samples", v.samples);
+  json.add("truth_samples", v.truth_samples);
+  json.add("curve", v.curve);
+  json.add("exposure", v.exposure);
+  json.add("clipped", v.clipped);
+  json.add("not_finite", v.not_finite);
+  json.add("fireflies", v.fireflies);
+  json.add("firefly_energy", v.firefly_energy);
+  json.add("chi2_per_value", v.chi2_per_value);
+}
+
+}  // namespace scenefile

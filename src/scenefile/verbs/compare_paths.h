@@ -1,0 +1,37 @@
+#pragma once
+// Compares a path-traced picture with the truth, which is drawn from the scene; as text and JSON.
+
+#include "scenefile/noise/judge_path.h"
+#include "scenefile/verbs/json_writer.h"
+#include "scenefile/verbs/load_scene.h"
+
+#include <string>
+
+namespace scenefile {
+
+/// Processor time for the truth unless another one is given: enough for pictures of 256x256 with
+/// 1000 samples per pixel.
+inline constexpr double truth_seconds = 40;
+
+/// Draws the truth of the scene, with all assets, at options.width x options.height (draw_truth()).
+RenderStatus draw_truth(const LoadedScene& scene, const RenderOptions& options, double seconds,
+                        const Progress& progress, PathTruth& truth);
+
+/// The verdict as human-readable text.
+std::string path_verdict_text(const PathVerdict& verdict);
+
+/// The truth, tone-mapped like PNG files of mode path.
+Texture truth_picture(const PathTruth& truth);
+
+/// What is beyond the noise: white where nothing is, red where the picture is brighter than the
+/// truth, blue where it is darker, gray where blocks were left out. Full color is three times the
+/// largest significance by chance.
+Texture significance_picture(const PathTruth& truth, const PathVerdict& verdict);
+
+/// A plot of the light by bounces, of the truth and of the picture.
+std::string energy_svg(const PathVerdict& verdict);
+
+/// Adds members to the open object.
+void add_path_verdict(Json& json, const PathVerdict& verdict);
+
+}  // namespace scenefile

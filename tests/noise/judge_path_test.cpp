@@ -1,0 +1,176 @@
+#include "scenefile/noise/judge_path.h"
+
+#include "path/full_room.h"
+#include "scenefile/noise/linearize.h"
+#include "scenefile/path/render_path.h"
+#include "scenefile/path/tone.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace scenefile {
+
+namespace {
+
+using namespace path_test;
+
+// A room of diffuse walls with a lamp and a box.
+Room plain_room() {
+  Room room;
+  Model model;
+  model.box({-1, 0, -1}, {1, 2, 1}, true, model.material(diffuse({0.7f, 0.6f, 0.5f})));
+  model.quad({-0.3f, 1.98f, -0.3f}, {0.6f, 0, 0}, {0, 0, 0.6f},
+             model.material(diffuse(glm::vec3(0), {12, 10, 8})));
+  model.box({-0.6f, 0, -0.6f}, {0.1f, 0.9f, 0}, false, model.material(diffuse({0.3f, 0.5f, 0.6f})));
+  room.add(model);
+  room.look({0, 1, 0.95}, {0, 1.1, 0}, 95);
+  return room;
+}
+
+struct Judge : ::testing::Test {
+  Room room = plain_room();
+  RenderOptions options = path_options(64, 64, 32);
+  TraceScene traced{room.scene, room.assets};
+  PathTruth truth;
+
+  Judge() {
+    RenderOptions other = options;
+    other.seed = 99;
+    EXPECT_EQ(draw_truth(traced, room.scene, other, 0, 48, {}, truth), RenderStatus::complete);
+  }
+
+  DecodedPicture drawn() const {
+    DecodedPicture picture;
+    picture.linear = render_path(room.scene, room.assets, options, {.traced = &traced}).image;
+    picture.texture = quantize(picture.linear, Rounding::nearest);
+    return picture;
+  }
+  static std::string names(const std::vector<PathClaim>& claims) {
+    std::string text;
+    for (const PathClaim& claim : claims) {
+      text += claim.name + " ";
+    }
+    return text;
+  }
+};
+
+TEST_F(Judge, KindsAddUpToThePicture) {
+  Color kinds(0);
+  Color pixels(0);
+  for (const auto& [kind, light] : truth.kinds) {
+    for (const Color& block : light) {
+      kinds += block * 64.0;
+    }
+  }
+  for (const Color& pixel : truth.pixels) {
+    pixels += pixel;
+  }
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(kinds[c], pixels[c], 1e-9 * pixels[c]);
+  }
+}
+
+TEST_F(Judge, RightPicturesGetNoClaim) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    options.seed = seed;
+    const PathVerdict verdict = judge_path(truth, drawn());
+    EXPECT_TRUE(verdict.right) << seed;
+    EXPECT_EQ(names(verdict.causes) + names(verdict.partial) + names(verdict.conventions), "");
+    EXPECT_LT(verdict.largest, verdict.critical);
+    EXPECT_NEAR(verdict.places.front().factor, 1, 5 * verdict.places.front().error);
+  }
+}
+
+TEST_F(Judge, NamesWhatPathsDoNotHave) {
+  options.max_depth = 1;
+  const PathVerdict verdict = judge_path(truth, drawn());
+  EXPECT_FALSE(verdict.right);
+  EXPECT_EQ(names(verdict.causes), "depth ");
+  EXPECT_NEAR(verdict.energy_mine[1] / verdict.energy_truth[1], 0, 0.05);
+}
+
+TEST_F(Judge, NamesFactorsOfDirectLightByTheScene) {
+  DecodedPicture picture = drawn();
+  DecodedPicture halved = picture;
+  for (std::size_t i = 0; i < picture.linear.rgb.size(); i += 3) {
+    // All but the lamp.
+    for (std::size_t c = i; c < i + 3 && picture.linear.rgb[i] < 11; ++c) {
+      halved.linear.rgb[c] = picture.linear.rgb[c] / 2;
+    }
+  }
+  EXPECT_THAT(names(judge_path(truth, halved).causes), ::testing::HasSubstr("lamp-sampling"));
+  for (float& value : picture.linear.rgb) {
+    value *= 2;
+  }
+  EXPECT_EQ(names(judge_path(truth, picture).causes), "brightness ");
+}
+
+TEST_F(Judge, NamesAMistakeOfTheDistance) {
+  // As if light of lamps fell off by the distance: the picture of the change itself, with noise.
+  const ChangedPicture& changed = truth.changes[static_cast<std::size_t>(Change::falloff_distance)];
+  DecodedPicture picture = drawn();
+  for (int y = 0; y < 64; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      const std::size_t block = std::size_t(y / block_side) * truth.columns + x / block_side;
+      Color right(0);
+      for (const auto& [kind, light] : truth.kinds) {
+        right += kind.hit ? Color(0) : light[block];
+      }
+      for (int c = 0; c < 3; ++c) {
+        picture.linear.pixel(x, y)[c] *= static_cast<float>(changed.sampled[block][c] / right[c]);
+      }
+    }
+  }
+  EXPECT_EQ(names(judge_path(truth, picture).causes), "distance ");
+}
+
+TEST_F(Judge, SaysWhenItIsTooNoisy) {
+  options.samples = 1;
+  options.light_samples = 0;
+  const PathVerdict verdict = judge_path(truth, drawn());
+  EXPECT_TRUE(verdict.too_noisy);
+  EXPECT_GT(verdict.more_samples, 1);
+  EXPECT_EQ(names(verdict.causes), "");
+}
+
+TEST_F(Judge, ReadsToneMappedPictures) {
+  DecodedPicture picture = drawn();
+  picture.texture = quantize(tone_mapped(picture.linear, Tone::course, 0), Rounding::nearest);
+  picture.linear = Image();
+  const PathVerdict verdict = judge_path(truth, picture);
+  EXPECT_TRUE(verdict.right);
+  EXPECT_EQ(verdict.curve, "the tone curve of the course");
+}
+
+TEST_F(Judge, ReadsToneMappedPicturesWithoutLamps) {
+  room.look({0, 1, 0.95}, {0, 0.8, 0}, 80);
+  truth = {};
+  RenderOptions other = options;
+  other.seed = 7;
+  ASSERT_EQ(draw_truth(traced, room.scene, other, 0, 32, {}, truth), RenderStatus::complete);
+  DecodedPicture picture = drawn();
+  picture.texture = quantize(tone_mapped(picture.linear, Tone::course, 0), Rounding::nearest);
+  picture.linear = Image();
+  const PathVerdict verdict = judge_path(truth, picture);
+  EXPECT_TRUE(verdict.right) << verdict.curve << " " << verdict.exposure << " "
+                             << (verdict.partial.empty() ? "" : verdict.partial[0].what);
+  EXPECT_EQ(names(verdict.causes) + names(verdict.partial), "");
+}
+
+TEST(Linearize, UndoesTheCoursesCurve) {
+  Image image(2, 1);
+  image.rgb = {0.2f, 0.4f, 0.1f, 9, 7, 5};
+  DecodedPicture picture;
+  picture.texture = quantize(tone_mapped(image, Tone::course, 0), Rounding::nearest);
+  const LinearPicture found = linearized(picture, Curve::course, brightest(image.rgb, 0));
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(found.pixels[0][c], image.rgb[c], 3.5 * std::sqrt(found.rounding[0][c]));
+  }
+  EXPECT_FALSE(found.usable[1]);
+}
+
+}  // namespace
+
+}  // namespace scenefile

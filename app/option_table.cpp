@@ -584,7 +584,7 @@ constexpr std::array option_rows{
               set_png<&Options::heatmap>},
     OptionRow{"--energy", "", "OUT",
               "Write the light by bounces, of a path-traced picture and of the truth: an .svg.",
-              for_diff, set_svg},
+              for_diff, set_svg, "", path_only},
     OptionRow{"--sheet", "", "OUT",
               "Write both pictures, their differences and FLIP side by side: a .png.", for_diff,
               set_png<&Options::sheet>},

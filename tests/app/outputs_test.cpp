@@ -67,6 +67,7 @@ const std::vector<Writer> writers{
     {"convert", "OUT", {"convert", "model/box.obj", "out.xml"}, "out-2.obj"},
     {"diff", "--heatmap", diff + Words{"--heatmap", "h.png"}, "h.png"},
     {"diff", "--sheet", diff + Words{"--sheet", "h.png"}, "h.png"},
+    {"diff", "--energy", diff + Words{"--energy", "light.svg", "--time", "0.1"}, "light.svg"},
     {"grade", "--store", grade + Words{"--store", "results"}, "results/ann.json"},
     {"grade", "--store", grade + Words{"--part", "1/1", "--store", "results"}, "results/ann.json"},
     {"grade", "--csv", grade + Words{"--store", "graded", "--csv", "g.csv"}, "g.csv"},

@@ -158,6 +158,43 @@ TEST_F(PathScene, ConvertsWithItsFiles) {
   EXPECT_EQ(check(folder.path("scenes/s.json")), "");
 }
 
+// A room corner with a lamp that faces it.
+TEST_F(PathScene, PicturesAreJudgedWithinTheirNoise) {
+  const std::string path = scene();
+  const Words size{"--size", "48x48"};
+  const std::string mine = folder.path("mine.pfm");
+  ASSERT_EQ(run_program(Words{"render", path, "-o", mine, "--seed", "3", "-q"} + size).status, 0);
+  const ProgramRun right = run_program({"diff", mine, "--scene", path, "--time", "0.5"});
+  EXPECT_EQ(right.status, 0) << right.out << right.err;
+  EXPECT_THAT(right.out, HasSubstr("right within its noise\n"));
+  const ProgramRun both =
+      run_program({"diff", mine, mine, "--scene", path, "--time", "0.5", "--energy",
+                   folder.path("light.svg"), "--sheet", folder.path("sheet.png"), "--json"});
+  EXPECT_EQ(both.status, 0) << both.err;
+  EXPECT_THAT(both.out, HasSubstr("\"reference_path\": {"));
+  EXPECT_THAT(folder.read("light.svg"), HasSubstr("</svg>"));
+
+  const std::string other = folder.path("other.pfm");
+  ASSERT_EQ(
+      run_program(Words{"render", path, "-o", other, "--convention", "course", "-q"} + size).status,
+      0);
+  const ProgramRun wrong = run_program({"diff", other, "--scene", path, "--time", "0.5"});
+  EXPECT_EQ(wrong.status, 1) << wrong.out;
+  EXPECT_EQ(run_program({"diff", other, "--scene", path, "--time", "0.5", "--convention", "course"})
+                .status,
+            0);
+}
+
+TEST_F(PathScene, PicturesWithoutReferenceNeedTheScene) {
+  const std::string path = scene(point_light);
+  const std::string mine = folder.path("mine.png");
+  ASSERT_EQ(run_program({"render", path, "-o", mine, "--size", "24x24", "-q"}).status, 0);
+  EXPECT_EQ(run_program({"diff", mine}).status, 2);
+  EXPECT_EQ(run_program({"diff", mine, "--scene", path}).status, 2);  // ray traced
+  EXPECT_EQ(run_program({"diff", mine, mine, "--mode", "path"}).status, 2);
+  EXPECT_EQ(run_program({"diff", path}).status, 2);
+}
+
 }  // namespace
 
 }  // namespace scenefile

@@ -154,8 +154,7 @@ TEST_F(Judge, ReadsToneMappedPicturesWithoutLamps) {
   picture.texture = quantize(tone_mapped(picture.linear, Tone::course, 0), Rounding::nearest);
   picture.linear = Image();
   const PathVerdict verdict = judge_path(truth, picture);
-  EXPECT_TRUE(verdict.right) << verdict.curve << " " << verdict.exposure << " "
-                             << (verdict.partial.empty() ? "" : verdict.partial[0].what);
+  EXPECT_TRUE(verdict.right) << verdict.curve;
   EXPECT_EQ(names(verdict.causes) + names(verdict.partial), "");
 }
 

@@ -23,7 +23,7 @@ TEST(WeightedFit, FindsFactorsAndTheirErrors) {
   double squares = 0;
   double error = 0;
   for (int run = 0; run < runs; ++run) {
-    Measured measured{BlockColors(blocks), BlockColors(blocks)};
+    MeasuredBlocks measured{BlockColors(blocks), BlockColors(blocks)};
     BlockColors fixed(blocks), a(blocks), b(blocks);
     for (int i = 0; i < blocks; ++i) {
       fixed[i] = Color(uniform(random));
@@ -35,7 +35,7 @@ TEST(WeightedFit, FindsFactorsAndTheirErrors) {
       measured.mean[i] = fixed[i] + 0.5 * a[i] + 2.0 * b[i] + deviation * noise;
     }
     const std::array<const BlockColors*, 2> free{&a, &b};
-    const Fit found = fit(measured, fixed, free);
+    const BlockFit found = fit(measured, fixed, free);
     ASSERT_TRUE(found.solved);
     squares += (found.factors[0] - 0.5) * (found.factors[0] - 0.5);
     error += found.errors[0];
@@ -49,7 +49,7 @@ TEST(WeightedFit, FindsFactorsAndTheirErrors) {
 }
 
 TEST(WeightedFit, IsNotSolvedForWhatTheSceneDoesNotHave) {
-  const Measured measured{BlockColors(9, Color(1)), BlockColors(9, Color(1))};
+  const MeasuredBlocks measured{BlockColors(9, Color(1)), BlockColors(9, Color(1))};
   const BlockColors zero(9, Color(0));
   const std::array<const BlockColors*, 1> free{&zero};
   EXPECT_FALSE(fit(measured, zero, free).solved);

@@ -51,8 +51,8 @@ Matrix inverse_of(Matrix a) {
 
 }  // namespace
 
-Fit fit(const Measured& measured, const BlockColors& fixed,
-        std::span<const BlockColors* const> free) {
+BlockFit fit(const MeasuredBlocks& measured, const BlockColors& fixed,
+             std::span<const BlockColors* const> free) {
   const std::size_t n = free.size();
   const std::size_t blocks = measured.mean.size();
   Matrix normal(n, std::vector<double>(n));
@@ -72,7 +72,7 @@ Fit fit(const Measured& measured, const BlockColors& fixed,
       normal[j][i] = normal[i][j];
     }
   }
-  Fit result;
+  BlockFit result;
   const Matrix inverse = inverse_of(normal);
   result.solved = inverse.size() == n;
   result.factors.resize(n);

@@ -10,12 +10,12 @@
 namespace scenefile {
 
 /// Means of blocks, and 1 / variance of each; 0: left out.
-struct Measured {
+struct MeasuredBlocks {
   BlockColors mean;
   BlockColors weight;
 };
 
-struct Fit {
+struct BlockFit {
   std::vector<double> factors;  ///< of the free columns
   /// Standard errors: the larger of that by the weights, for channels with the same noise, and the
   /// one of the residuals (White, "A Heteroskedasticity-Consistent Covariance Matrix Estimator",
@@ -26,8 +26,8 @@ struct Fit {
 };
 
 /// Fits mean = fixed + sum of factors * free.
-Fit fit(const Measured& measured, const BlockColors& fixed,
-        std::span<const BlockColors* const> free);
+BlockFit fit(const MeasuredBlocks& measured, const BlockColors& fixed,
+             std::span<const BlockColors* const> free);
 
 /// The two-sided normal quantile at which none of `tests` independent tests is expected to exceed
 /// it with probability 1 - level (Sidak, 1967).

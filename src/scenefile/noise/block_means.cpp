@@ -1,0 +1,179 @@
+#include "scenefile/noise/block_means.h"
+
+#include <cmath>
+
+namespace scenefile {
+
+namespace {
+
+// Differences of our model from a right program: the shape of filters, float precision.
+constexpr double model_error = 0.004;
+
+// Half of the value, half of the mean of the blocks around it.
+BlockColors shrunk(const BlockColors& values, int columns) {
+  const int rows = static_cast<int>(values.size()) / columns;
+  BlockColors result = values;
+  for (int y = 0; y < rows; ++y) {
+    for (int x = 0; x < columns; ++x) {
+      Color sum(0);
+      int count = 0;
+      for (int j = std::max(0, y - 1); j <= std::min(rows - 1, y + 1); ++j) {
+        for (int i = std::max(0, x - 1); i <= std::min(columns - 1, x + 1); ++i) {
+          sum += values[std::size_t(j) * columns + i];
+          ++count;
+        }
+      }
+      const std::size_t at = std::size_t(y) * columns + x;
+      result[at] = 0.5 * values[at] + 0.5 * sum / double(count);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+double median_of(std::vector<double> values) {
+  if (values.empty()) {
+    return 0;
+  }
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+BlockColors combined(const BlockColors& a, double by, const BlockColors& b) {
+  BlockColors sum = a;
+  for (std::size_t i = 0; i < sum.size() && i < b.size(); ++i) {
+    sum[i] += by * b[i];
+  }
+  return sum;
+}
+
+TruthBlocks::TruthBlocks(const PathTruth& t) : truth(t), zero(t.blocks(), Color(0)) {
+  lamp = sum([](const LightKind& k) { return k.hit && k.bounces() == 0; });
+  hit = sum([](const LightKind& k) { return k.hit && k.bounces() > 0; });
+  sampled = sum([](const LightKind& k) { return !k.hit; });
+  all = combined(combined(lamp, 1, hit), 1, sampled);
+  variance.resize(t.blocks());
+  gradient_x = gradient_y = edge = zero;
+  for (std::size_t b = 0; b < t.blocks(); ++b) {
+    double count = 0;
+    Color steps(0);
+    for_each_pixel(t, b, [&](int x, int y, std::size_t at) {
+      variance[b] += t.deviations[at];
+      const auto pixel = [&](int i, int j) {
+        return t.pixels[std::size_t(std::clamp(j, 0, t.height - 1)) * t.width +
+                        std::clamp(i, 0, t.width - 1)];
+      };
+      const Color dx = (pixel(x + 1, y) - pixel(x - 1, y)) / 2.0;
+      const Color dy = (pixel(x, y + 1) - pixel(x, y - 1)) / 2.0;
+      gradient_x[b] += dx;
+      gradient_y[b] += dy;
+      // Noise has steps, too.
+      const Color noise = t.deviations[at] / t.samples;
+      steps += glm::sqrt(glm::max(dx * dx + dy * dy - 4.0 * noise, Color(0)));
+      ++count;
+    });
+    variance[b] /= count;
+    pixels.push_back(count);
+    gradient_x[b] /= count;
+    gradient_y[b] /= count;
+    // Samples in the middle of pixels, and other filters, move edges by parts of a pixel.
+    edge[b] = steps * steps / (count * count * 12);
+  }
+  variance = shrunk(variance, t.columns);
+  truth_noise = shrunk(t.noise, t.columns);
+  left_out.resize(t.blocks());
+  for (int y = 0; y < t.rows; ++y) {
+    for (int x = 0; x < t.columns; ++x) {
+      if (lamp[std::size_t(y) * t.columns + x] != Color(0)) {
+        for (int j = std::max(0, y - 1); j <= std::min(t.rows - 1, y + 1); ++j) {
+          for (int i = std::max(0, x - 1); i <= std::min(t.columns - 1, x + 1); ++i) {
+            left_out[std::size_t(j) * t.columns + i] = 1;
+          }
+        }
+      }
+    }
+  }
+}
+
+ObservedBlocks observe(const TruthBlocks& back, const LinearPicture& picture) {
+  const PathTruth& truth = back.truth;
+  ObservedBlocks result;
+  MeasuredBlocks& m = result.measured;
+  m.mean.resize(truth.blocks());
+  m.weight.resize(truth.blocks());
+  result.cautious.resize(truth.blocks());
+  BlockColors rounding(truth.blocks(), Color(0));
+  BlockColors own(truth.blocks(), Color(0));  // variances of means as seen in the picture
+  std::vector<double> ratios;
+  std::vector<char> bad = back.left_out;
+  for (std::size_t b = 0; b < truth.blocks(); ++b) {
+    double unusable = 0;
+    double count = 0;
+    Color sum(0);
+    Color truth_sum(0);
+    for_each_pixel(truth, b, [&](int, int, std::size_t at) {
+      if (picture.usable[at] == 0) {
+        ++unusable;
+        return;
+      }
+      ++count;
+      sum += picture.pixels[at];
+      truth_sum += truth.pixels[at];
+      rounding[b] += picture.rounding[at];
+    });
+    result.clipped += static_cast<std::size_t>(unusable);
+    if (unusable > 0.02 * back.pixels[b] || count < 2) {
+      bad[b] = 1;
+      continue;
+    }
+    m.mean[b] = sum / count;
+    rounding[b] /= count * count;
+    // How much pixels vary beyond the pattern of the truth.
+    const double scale = luminance(truth_sum) > 0 ? luminance(sum) / luminance(truth_sum) : 1;
+    double squares = 0;
+    for_each_pixel(truth, b, [&](int, int, std::size_t at) {
+      if (picture.usable[at] != 0) {
+        const double off = luminance(picture.pixels[at]) - scale * luminance(truth.pixels[at]);
+        squares += off * off;
+      }
+    });
+    const double variance = luminance(back.variance[b]);
+    const double truth_part = variance / truth.samples * scale * scale;
+    const double varied = squares / (count - 1);
+    // Of the truth's samples, stratified ones, less may be left.
+    const double beyond = std::max(varied / 2, varied - truth_part);
+    own[b] = Color(beyond / count);
+    if (bad[b] == 0 && variance > 0) {
+      ratios.push_back(beyond / variance);
+    }
+  }
+  own = shrunk(own, truth.columns);
+  result.per_sample = std::max(1e-7, median_of(ratios));
+  std::vector<double> relative;
+  for (std::size_t b = 0; b < truth.blocks(); ++b) {
+    if (bad[b] != 0) {
+      continue;
+    }
+    const Color systematic = model_error * (back.all[b] + m.mean[b]) / 2.0;
+    const Color noise = result.per_sample / back.pixels[b] * back.variance[b];
+    const Color others = back.truth_noise[b] + rounding[b] + back.edge[b] + systematic * systematic;
+    const double more = luminance(noise) > 0 ? std::max(1.0, own[b].x / luminance(noise)) : 1;
+    // In a dark color, noise may only not have been seen.
+    const double floor = luminance(noise + others) * 0.05;
+    for (int c = 0; c < 3; ++c) {
+      const double v = std::max(noise[c] + others[c], floor);
+      m.weight[b][c] = v > 0 ? 1 / v : 0;
+      result.cautious[b][c] = v > 0 ? 1 / std::max(more * noise[c] + others[c], floor) : 0;
+    }
+    ++result.tested;
+    if (luminance(m.mean[b]) > 0) {
+      relative.push_back(std::sqrt(luminance(more * noise)) / luminance(m.mean[b]));
+    }
+  }
+  result.relative_noise = median_of(std::move(relative));
+  return result;
+}
+
+}  // namespace scenefile

@@ -1,0 +1,27 @@
+#pragma once
+// What the numbers of a fitted picture mean. Internal to noise.
+
+#include "scenefile/noise/path_models.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace scenefile {
+
+struct Meaning {
+  double value = 1;
+  std::string name;
+  std::string what;
+};
+
+/// Whether a fitted number is a constant within its error.
+bool is_number(double value, double error, double constant);
+
+/// The names and phrases for a model that explains the picture: several if they give the same
+/// picture. `whole`: the factor of visible lamps, if known. `general`: set if a free number is not
+/// one that a known mistake gives.
+std::vector<Meaning> meanings(const PathTruth& truth, const PathModel& m,
+                              std::optional<double> whole, bool& general);
+
+}  // namespace scenefile

@@ -125,7 +125,8 @@ TEST_F(PathCommand, RefusesWhatItDoesNotHave) {
   const ProgramRun frames = run_program(
       {"frames", scene, "-o", folder.path("f%d.png"), "--turntable", "2", "--mode", "path"});
   EXPECT_EQ(frames.status, 2);
-  EXPECT_THAT(frames.err, HasSubstr("--mode path is for render, explain, view and diff, not for frames"));
+  EXPECT_THAT(frames.err,
+              HasSubstr("--mode path is for render, explain, view and diff, not for frames"));
   const ProgramRun mine = run_program(
       {"explain", scene, "--pixel", "5,5", "--mode", "path", "--mine", folder.path("a.png")});
   EXPECT_EQ(mine.status, 2);

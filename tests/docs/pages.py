@@ -120,9 +120,12 @@ def make_files(folder, program):
         (folder / place).mkdir()
         shutil.copy(folder / "reference.png", folder / place / "chess.png")
     (folder / "cameras.json").write_text('{"views": [{"position": [3, 2, 4], "focus": [0, 0, 0]}, {"time": 4, "position": [4, 2, 3]}]}')
-    (folder / "CornellBox.xml").write_text(SCENE_OF_PATH)
+    for name in ("CornellBox", "box"):
+        (folder / f"{name}.xml").write_text(SCENE_OF_PATH)
     (folder / "box.obj").write_text(BOX)
     (folder / "box.mtl").write_text("newmtl lamp\nKe 5 5 5\nnewmtl wall\nKd .8 .8 .8\n")
+    for name in ("reference", "mine"):
+        run("render", "box.xml", "-o", f"{name}.pfm", "--size", "64x48", "--samples", "16")
     for place in ("submissions", "handed-in", "class"):
         (folder / place / "ada").mkdir(parents=True)
         shutil.copy(folder / "mine.png", folder / place / "ada" / "chess.png")

@@ -1,6 +1,5 @@
 #pragma once
-// What must hold for every edit of every scene file. Used by the unit tests, the soak and the fuzz
-// target.
+// What must hold for every edit of every scene file. Used by the unit tests and the soak.
 
 #include "scenefile/edit/edits.h"
 

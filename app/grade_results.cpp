@@ -248,15 +248,16 @@ ExitCode write_results(const Options& options, Gradebook book, std::string_view 
                           book.students.size()));
     return ExitCode::usage;
   }
+  const ExitCode status = book.all_passed() ? ExitCode::fine : ExitCode::findings;
+  // Before the files, so that running out of memory here leaves none.
+  const std::string text = options.json    ? gradebook_json(book)
+                           : options.quiet ? std::string()
+                                           : gradebook_text(book);
   context.phase = "writing the report";
   if (const Result<void> written = write_all(options, book); !written) {
     say_error(written.error().text);
     return exit_code(written.error().kind);
   }
-  const ExitCode status = book.all_passed() ? ExitCode::fine : ExitCode::findings;
-  const std::string text = options.json    ? gradebook_json(book)
-                           : options.quiet ? std::string()
-                                           : gradebook_text(book);
   // A table on standard output stays one that programs can read.
   const bool taken = std::any_of(options.given.begin(), options.given.end(), [](const auto& given) {
     return given.row->value == "OUT" && is_standard_output(given.value);

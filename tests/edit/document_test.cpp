@@ -32,7 +32,7 @@ std::string kind_word(ItemKind kind) {
 // The items that the file contains: kind, name and first word.
 std::vector<std::string> items_of(const Document& document) {
   std::vector<std::string> items;
-  for (const Item& item : document.items()) {
+  for (const SceneItem& item : document.items()) {
     if (item.written) {
       items.push_back(kind_word(item.kind) + (item.name.empty() ? "" : " " + item.name));
     }

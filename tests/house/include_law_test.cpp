@@ -110,6 +110,32 @@ TEST(IncludeLaw, RoomsKnowOnlyTheRoomsBelowThem) {
   }
 }
 
+// Two types with one name in one namespace break programs that link both rooms, in ways that no
+// compiler reports.
+TEST(Names, OfTypesInHeadersAreUniqueInTheirNamespace) {
+  const std::regex type_pattern(R"(^(?:struct|class|enum class) (\w+)(?!\w|::)[^;]*$)");
+  const std::regex space_pattern(R"(^namespace (\w+(?:::\w+)*) \{)");
+  std::map<std::string, fs::path> first;
+  for (const auto& entry : fs::recursive_directory_iterator(source_root / "src/scenefile")) {
+    const std::string name = entry.path().filename();
+    if (!name.ends_with(".h") || name.ends_with("-inl.h")) {  // those are in many namespaces
+      continue;
+    }
+    std::ifstream file(entry.path());
+    std::string space;
+    std::smatch match;
+    for (std::string line; std::getline(file, line);) {
+      if (std::regex_search(line, match, space_pattern)) {
+        space = match[1];
+      } else if (std::regex_search(line, match, type_pattern)) {
+        const auto [one, is_new] = first.emplace(space + "::" + match[1].str(), entry.path());
+        EXPECT_TRUE(is_new) << one->first << " is in " << one->second << " and " << entry.path();
+      }
+    }
+  }
+  EXPECT_GT(first.size(), 300u);
+}
+
 // A room's CMakeLists.txt lists the headers that are installed.
 std::set<std::string> installed_headers() {
   const std::regex list_pattern(R"(HEADERS\s+([^)]*?)\s(PUBLIC|PRIVATE|PROGRAM_ONLY))");

@@ -163,7 +163,7 @@ TEST(Linearize, UndoesTheCoursesCurve) {
   image.rgb = {0.2f, 0.4f, 0.1f, 9, 7, 5};
   DecodedPicture picture;
   picture.texture = quantize(tone_mapped(image, Tone::course, 0), Rounding::nearest);
-  const LinearPicture found = linearized(picture, Curve::course, brightest(image.rgb, 0));
+  const LinearPicture found = linearized(picture, ToneCurve::course, brightest(image.rgb, 0));
   for (int c = 0; c < 3; ++c) {
     EXPECT_NEAR(found.pixels[0][c], image.rgb[c], 3.5 * std::sqrt(found.rounding[0][c]));
   }

@@ -129,7 +129,7 @@ class FieldList {
       FieldPart& part = field.parts.emplace_back();
       part.name = names.size() == 1 ? field.name : names[i];
       part.is_number = !texts && !(word.kind == FieldKind::image && i == 0);
-      part.range = part.is_number ? word.range : Range{};
+      part.range = part.is_number ? word.range : NumberRange{};
       part.value = start[std::min(i, start.size() - 1)];
     }
     return field;
@@ -365,7 +365,7 @@ class FieldList {
     if (group) {
       names = {"name", "translate", "rotate", "scale", "matrix", "lights", "primitives", "groups"};
     }
-    if (item_.element == no_part || syntax_[item_.element].type != Part::Type::object) {
+    if (item_.element == no_part || syntax_[item_.element].type != SyntaxPart::Type::object) {
       return;
     }
     Diagnostics found(state_.options.limits);
@@ -390,28 +390,28 @@ class FieldList {
     if (entry == no_part) {
       return field;
     }
-    const Part& value = syntax_[entry];
+    const SyntaxPart& value = syntax_[entry];
     field.place = value.range();
     std::vector<PartId> numbers;
     for (const PartId child : value.children) {
       const std::vector<PartId>& row = syntax_[child].children;
-      if (syntax_[child].type == Part::Type::array) {
+      if (syntax_[child].type == SyntaxPart::Type::array) {
         numbers.insert(numbers.end(), row.begin(), row.end());
       } else {
         numbers.push_back(child);
       }
     }
-    if (value.type != Part::Type::array) {
+    if (value.type != SyntaxPart::Type::array) {
       numbers = {entry};
     }
     for (std::size_t i = 0; i < std::min(numbers.size(), field.parts.size()); ++i) {
-      const Part& part = syntax_[numbers[i]];
-      if (part.type == Part::Type::array || part.type == Part::Type::object) {
+      const SyntaxPart& part = syntax_[numbers[i]];
+      if (part.type == SyntaxPart::Type::array || part.type == SyntaxPart::Type::object) {
         continue;  // not a value
       }
       fill(field.parts[i], part.value(),
-           part.type == Part::Type::string ? syntax_.tape.string(part.item)
-                                           : std::string(syntax_.slice(part.value())));
+           part.type == SyntaxPart::Type::string ? syntax_.tape.string(part.item)
+                                                 : std::string(syntax_.slice(part.value())));
     }
     return field;
   }
@@ -419,7 +419,7 @@ class FieldList {
   const Document& document_;
   const Document::State& state_;
   const Syntax& syntax_;
-  const Item& item_;
+  const SceneItem& item_;
   SilentReader reader_;
   std::vector<std::pair<std::string_view, PartId>> entries_;  // JSON
   std::vector<FieldView> fields_;
@@ -432,7 +432,7 @@ bool is_json_number(std::string_view text) {
          parse_json(text, 1, tape).fault == JsonFault::none;
 }
 
-std::string range_text(const Range& range) {
+std::string range_text(const NumberRange& range) {
   const bool low = range.low > -std::numeric_limits<double>::infinity();
   const bool high = range.high < std::numeric_limits<double>::infinity();
   const std::string from =
@@ -587,7 +587,7 @@ const Scene& Document::scene() const {
 const Diagnostics& Document::findings() const {
   return state_->findings;
 }
-std::span<const Item> Document::items() const {
+std::span<const SceneItem> Document::items() const {
   return state_->items;
 }
 
@@ -620,7 +620,7 @@ std::vector<FieldView> Document::fields(ItemId item) const {
 }
 
 TextRange Document::with_comments(ItemId id) const {
-  const Item& item = items()[id];
+  const SceneItem& item = items()[id];
   if (!is_xml() || !item.written) {
     return item.range;
   }
@@ -643,7 +643,7 @@ std::vector<std::string> Document::templates_for(ItemId group) const {
   }
   if (top != no_item && items()[top].kind == ItemKind::root) {  // which may precede them
     names.clear();
-    for (const Item& item : items()) {
+    for (const SceneItem& item : items()) {
       if (item.kind == ItemKind::master && !item.name.empty()) {
         names.push_back(item.name);
       }

@@ -44,7 +44,7 @@ using ItemId = std::uint32_t;
 inline constexpr ItemId no_item = ~ItemId{0};
 
 /// A part of the scene that can be selected. In XML, an object includes its transblock.
-struct Item {
+struct SceneItem {
   ItemKind kind = ItemKind::group;
   std::string name;     ///< of a group or template; of the template of an instance; the shape of
                         ///< a primitive; the type of a light
@@ -75,7 +75,7 @@ enum class FieldKind : std::uint8_t {
 };
 
 /// The numbers that a value may have.
-struct Range {
+struct NumberRange {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
   bool open_low = false;  ///< `low` itself is excluded
@@ -90,7 +90,7 @@ struct Range {
 struct FieldPart {
   std::string_view name;  ///< "x"; the name of the field if it has only one part
   bool is_number = true;
-  Range range;        ///< of a number
+  NumberRange range;  ///< of a number
   std::string value;  ///< UTF-8 as written, or where the file has none, what a new field has
   bool written = false;
   TextRange place;  ///< in the text, with escapes and the quotes of JSON; if written
@@ -129,8 +129,8 @@ class Document {
   const Diagnostics& findings() const;
 
   /// Global data, camera, lights (XML), templates and the root, each before its contents.
-  std::span<const Item> items() const;
-  const Item& operator[](ItemId item) const { return items()[item]; }
+  std::span<const SceneItem> items() const;
+  const SceneItem& operator[](ItemId item) const { return items()[item]; }
   /// The item that contains this byte; the innermost.
   std::optional<ItemId> item_at(std::uint32_t offset) const;
   /// The item that contains a place: that of a node, primitive, light, transform or value.

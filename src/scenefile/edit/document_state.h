@@ -20,7 +20,7 @@ struct Document::State {
   Syntax syntax;
   Scene scene;
   Diagnostics findings;
-  std::vector<Item> items;
+  std::vector<SceneItem> items;
   std::string declaration;  ///< the XML declaration, if it says that the text is not UTF-8
 
   /// Text of the file in UTF-8.

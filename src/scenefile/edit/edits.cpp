@@ -74,12 +74,12 @@ Fresh fresh_entry(const FieldWord& word, const Values& values) {
   return parts.size() == 1 ? std::move(parts[0]) : list_of(std::move(parts));
 }
 
-bool is_fixed(const Item& item) {
+bool is_fixed(const SceneItem& item) {
   return item.kind == ItemKind::globals || item.kind == ItemKind::camera ||
          item.kind == ItemKind::root;
 }
 
-bool is_group(const Item& item) {
+bool is_group(const SceneItem& item) {
   return item.kind == ItemKind::group || item.kind == ItemKind::master ||
          item.kind == ItemKind::root;
 }
@@ -117,7 +117,7 @@ class Editor {
         reader_(state_) {}
 
   Result<Edit> set(ItemId id, const FieldView& field, const Values& values) const {
-    const Item& item = document_[id];
+    const SceneItem& item = document_[id];
     if (item.kind == ItemKind::master && field.name == "name") {
       return edit_of(renamed(item, *values[0]));
     }
@@ -133,7 +133,7 @@ class Editor {
     return edit_of(std::move(changes));
   }
 
-  Edit unset(const Item& item, const FieldView& field) const {
+  Edit unset(const SceneItem& item, const FieldView& field) const {
     if (field.element == no_part) {
       std::size_t from = field.place.from;
       while (from > 0 && blanks.find(state_.text[from - 1]) != blanks.npos) {
@@ -145,12 +145,12 @@ class Editor {
     return edit_of(removal_of_fields(item, {field.element}));
   }
 
-  std::vector<TextChange> value_changes(const Item& item, const FieldView& field,
+  std::vector<TextChange> value_changes(const SceneItem& item, const FieldView& field,
                                         const Values& values) const {
     return syntax_.xml ? xml_changes(item, field, values) : json_changes(item, field, values);
   }
 
-  const FieldWord& word_of(const Item& item, std::string_view name) const {
+  const FieldWord& word_of(const SceneItem& item, std::string_view name) const {
     for (const FieldWord& word : words_of(item.kind)) {
       if (word.name(syntax_.xml) == name) {
         return word;
@@ -189,9 +189,9 @@ class Editor {
 
   // Adds fields that are not in the file, in the order of the format. `fresh` is in that order.
   std::vector<TextChange> insert_fields(
-      const Item& item, const std::vector<std::pair<const FieldWord*, Values>>& fresh) const {
+      const SceneItem& item, const std::vector<std::pair<const FieldWord*, Values>>& fresh) const {
     if (item.element == no_part ||
-        (!syntax_.xml && syntax_[item.element].type != Part::Type::object)) {
+        (!syntax_.xml && syntax_[item.element].type != SyntaxPart::Type::object)) {
       return {new_container(item, fresh).change};
     }
     std::vector<TextChange> changes;
@@ -240,7 +240,7 @@ class Editor {
   }
 
   // The last child that comes before a field in the order of the format.
-  std::optional<std::size_t> index_before(const Item& item, const FieldWord& word) const {
+  std::optional<std::size_t> index_before(const SceneItem& item, const FieldWord& word) const {
     const std::vector<const FieldWord*> order = ordered_words(item.kind, syntax_.xml);
     const std::vector<PartId>& children = syntax_[item.element].children;
     const std::size_t own = rank_of(item, order, word);
@@ -253,7 +253,7 @@ class Editor {
     return std::nullopt;
   }
 
-  static std::size_t rank_of(const Item& item, const std::vector<const FieldWord*>& order,
+  static std::size_t rank_of(const SceneItem& item, const std::vector<const FieldWord*>& order,
                              const FieldWord& word) {
     if (order.empty()) {  // a group: its name first, in a template last
       const bool is_name = word.kind == FieldKind::text;
@@ -264,7 +264,7 @@ class Editor {
   }
 
   // Global data or a camera that the file lacks, with all that it needs.
-  Insertion new_container(const Item& item,
+  Insertion new_container(const SceneItem& item,
                           const std::vector<std::pair<const FieldWord*, Values>>& fresh) const {
     const bool camera = item.kind == ItemKind::camera;
     const auto given = [&](std::string_view name) {
@@ -316,7 +316,7 @@ class Editor {
   }
 
   // A new field, with those that it needs, or in place of its alternative.
-  std::vector<TextChange> insert_field(const Item& item, const FieldView& field,
+  std::vector<TextChange> insert_field(const SceneItem& item, const FieldView& field,
                                        const Values& values) const {
     const FieldWord& word = word_of(item, field.name);
     std::vector<std::pair<const FieldWord*, Values>> fresh{{&word, values}};
@@ -346,11 +346,11 @@ class Editor {
     return insert_fields(item, fresh);
   }
 
-  ItemId id_of(const Item& item) const {
+  ItemId id_of(const SceneItem& item) const {
     return static_cast<ItemId>(&item - document_.items().data());
   }
 
-  std::vector<TextChange> xml_changes(const Item& item, const FieldView& field,
+  std::vector<TextChange> xml_changes(const SceneItem& item, const FieldView& field,
                                       const Values& values) const {
     if (field.element == no_part) {
       const bool own = item.kind == ItemKind::master || item.kind == ItemKind::group ||
@@ -429,12 +429,12 @@ class Editor {
         layout_.set_attribute(element, names[own], value, std::span(names).first(own)));
   }
 
-  std::vector<TextChange> json_changes(const Item& item, const FieldView& field,
+  std::vector<TextChange> json_changes(const SceneItem& item, const FieldView& field,
                                        const Values& values) const {
     if (field.element == no_part) {
       return insert_field(item, field, values);
     }
-    const Part& entry = syntax_[field.element];
+    const SyntaxPart& entry = syntax_[field.element];
     const bool whole = std::any_of(field.parts.begin(), field.parts.end(),
                                    [](const FieldPart& part) { return !part.written; }) ||
                        (field.parts.size() > 1 && !has_shape(field));
@@ -455,18 +455,18 @@ class Editor {
 
   // Whether a list in JSON has just the parts of the field.
   bool has_shape(const FieldView& field) const {
-    const Part& list = syntax_[field.element];
+    const SyntaxPart& list = syntax_[field.element];
     const bool matrix = field.kind == FieldKind::matrix;
-    return list.type == Part::Type::array &&
+    return list.type == SyntaxPart::Type::array &&
            list.children.size() == (matrix ? 4 : field.parts.size()) &&
            std::all_of(list.children.begin(), list.children.end(), [&](PartId child) {
              return matrix ? syntax_[child].children.size() == 4
-                           : syntax_[child].type == Part::Type::number;
+                           : syntax_[child].type == SyntaxPart::Type::number;
            });
   }
 
   // Removes children of an element or entries of an object.
-  std::vector<TextChange> removal_of_fields(const Item& item, std::vector<PartId> gone) const {
+  std::vector<TextChange> removal_of_fields(const SceneItem& item, std::vector<PartId> gone) const {
     std::vector<TextChange> changes;
     if (syntax_.xml) {
       for (const PartId part : gone) {
@@ -500,7 +500,7 @@ class Editor {
     return light_use(word.name(syntax_.xml), type, syntax_.xml);
   }
 
-  std::vector<TextChange> retyped(const Item& item, const FieldView& field,
+  std::vector<TextChange> retyped(const SceneItem& item, const FieldView& field,
                                   const std::string& type) const {
     std::vector<TextChange> changes = value_changes(item, field, {type});
     std::vector<PartId> unused;
@@ -557,7 +557,7 @@ class Editor {
     return merged(std::move(changes));
   }
 
-  std::vector<TextChange> mesh_file_changes(const Item& item, const FieldView& shape,
+  std::vector<TextChange> mesh_file_changes(const SceneItem& item, const FieldView& shape,
                                             const std::string& wanted) const {
     const std::string_view key = syntax_.xml ? "filename" : "meshFile";
     std::optional<TextRange> known;
@@ -594,9 +594,9 @@ class Editor {
         layout_.insert_entry(item.element, syntax_.index(shape.element) + 1, piece, key).change};
   }
 
-  std::vector<TextChange> renamed(const Item& master, const std::string& name) const {
+  std::vector<TextChange> renamed(const SceneItem& master, const std::string& name) const {
     std::vector<TextChange> changes;
-    for (const Item& item : document_.items()) {
+    for (const SceneItem& item : document_.items()) {
       const bool user = item.kind == ItemKind::instance && item.name == master.name;
       if (&item == &master || user) {
         const FieldView field = document_.fields(id_of(item)).front();
@@ -611,10 +611,10 @@ class Editor {
   // Items.
 
   std::vector<ItemId> siblings_of(ItemId id) const {
-    const Item& item = document_[id];
+    const SceneItem& item = document_[id];
     std::vector<ItemId> siblings;
     for (ItemId other = 0; other < document_.items().size(); ++other) {
-      const Item& candidate = document_[other];
+      const SceneItem& candidate = document_[other];
       const bool same = syntax_.xml
                             ? candidate.parent == item.parent &&
                                   (item.parent != no_item || candidate.kind == item.kind)
@@ -628,11 +628,11 @@ class Editor {
   }
 
   // The element or value that a list contains for an item.
-  PartId part_of(const Item& item) const {
+  PartId part_of(const SceneItem& item) const {
     return item.block != no_part && !item.shared ? item.block : item.element;
   }
 
-  std::vector<TextChange> removal_of(const Item& item) const {
+  std::vector<TextChange> removal_of(const SceneItem& item) const {
     if (syntax_.xml) {
       return {layout_.remove_element(item.range)};
     }
@@ -640,7 +640,7 @@ class Editor {
     return layout_.remove_entries(syntax_[item.element].parent, index);
   }
 
-  Insertion inserted_after(const Item& item, const Piece& piece) const {
+  Insertion inserted_after(const SceneItem& item, const Piece& piece) const {
     const PartId part = part_of(item);
     const PartId parent = syntax_[part].parent;
     return syntax_.xml ? layout_.insert_children(parent, part, {&piece, 1})
@@ -648,16 +648,16 @@ class Editor {
   }
 
   // A piece at the end of a group.
-  Insertion appended(const Item& group, const Piece& piece,
+  Insertion appended(const SceneItem& group, const Piece& piece,
                      std::string_view list = "groups") const {
-    const Part& element = syntax_[group.element];
+    const SyntaxPart& element = syntax_[group.element];
     if (syntax_.xml) {
       return layout_.insert_children(
           group.element, element.children.empty() ? no_part : element.children.back(), {&piece, 1});
     }
     std::optional<PartId> member;
     for (const PartId child : element.children) {
-      if (syntax_.name(child) == list && syntax_[child].type == Part::Type::array) {
+      if (syntax_.name(child) == list && syntax_[child].type == SyntaxPart::Type::array) {
         member = child;
       }
     }
@@ -676,11 +676,11 @@ class Editor {
     return change;
   }
 
-  Piece moved_piece(const Item& item) const { return layout_.piece_of(item.range); }
+  Piece moved_piece(const SceneItem& item) const { return layout_.piece_of(item.range); }
 
   // Whether a field of a copy has another value, and which.
   Piece copy_of(ItemId id) const {
-    const Item& item = document_[id];
+    const SceneItem& item = document_[id];
     Piece piece = moved_piece(item);
     const bool master = item.kind == ItemKind::master;
     const bool light = item.kind == ItemKind::light && syntax_.xml;
@@ -700,7 +700,7 @@ class Editor {
 
   std::string free_name(const std::string& wanted) const {
     std::set<std::string> taken{"root"};
-    for (const Item& item : document_.items()) {
+    for (const SceneItem& item : document_.items()) {
       if (item.kind == ItemKind::master) {
         taken.insert(item.name);
       }
@@ -740,7 +740,7 @@ class Editor {
     while (!open.empty()) {
       const ItemId next = open.back();
       open.pop_back();
-      const Item& item = document_[next];
+      const SceneItem& item = document_[next];
       open.insert(open.end(), item.children.begin(), item.children.end());
       if (item.kind != ItemKind::instance || !names.insert(item.name).second) {
         continue;
@@ -755,7 +755,7 @@ class Editor {
     return last;
   }
 
-  Result<Edit> wrap(const Item& item) const {
+  Result<Edit> wrap(const SceneItem& item) const {
     const Piece piece = moved_piece(item);
     if (syntax_.xml) {
       return wrap_xml(item, piece);
@@ -764,7 +764,7 @@ class Editor {
     if (list == "groups") {
       return wrap_json_group(item, piece);
     }
-    if (syntax_[document_[item.parent].element].type != Part::Type::object) {
+    if (syntax_[document_[item.parent].element].type != SyntaxPart::Type::object) {
       return input_error("its group cannot be changed");
     }
     Piece shell;
@@ -775,7 +775,7 @@ class Editor {
     return edit_of(merged(std::move(changes)));
   }
 
-  Edit wrap_xml(const Item& item, const Piece& piece) const {
+  Edit wrap_xml(const SceneItem& item, const Piece& piece) const {
     const PartId part = part_of(item);
     const Piece shell{element_of("transblock", {},
                                  {element_of("object", {{"type", "tree"}}, {element_of("x", {})})}),
@@ -789,7 +789,7 @@ class Editor {
         item, lines.substr(0, at) + layout_.text_of(piece, indent, true) + lines.substr(at + 4));
   }
 
-  Edit wrap_json_group(const Item& item, const Piece& piece) const {
+  Edit wrap_json_group(const SceneItem& item, const Piece& piece) const {
     const std::string indent(piece.indent);
     const std::string& moved = piece.moved;
     const std::size_t line = moved.find('\n');
@@ -808,7 +808,7 @@ class Editor {
     return replaced(item, std::move(text));
   }
 
-  static Edit replaced(const Item& item, std::string text) {
+  static Edit replaced(const SceneItem& item, std::string text) {
     return {{{item.range.from, item.range.size(), std::move(text)}}, item.range.from};
   }
 
@@ -816,7 +816,7 @@ class Editor {
 
   Result<Edit> add(std::optional<ItemId> near, const NewItem& what) const {
     if (what.kind == ItemKind::camera || what.kind == ItemKind::globals) {
-      const Item& item = document_[what.kind == ItemKind::globals ? 0 : 1];
+      const SceneItem& item = document_[what.kind == ItemKind::globals ? 0 : 1];
       if (item.written) {
         return input_error("the file has one already");
       }
@@ -825,7 +825,7 @@ class Editor {
     }
     const std::optional<ItemId> group = group_for(near);
     if (!syntax_.xml && (!group || !document_[*group].written ||
-                         syntax_[document_[*group].element].type != Part::Type::object)) {
+                         syntax_[document_[*group].element].type != SyntaxPart::Type::object)) {
       return input_error("the scene has no groups; write \"groups\": [] first");
     }
     const Insertion change = syntax_.xml ? added_xml(group, what) : added_json(*group, what);
@@ -998,7 +998,7 @@ Result<Edit> remove_value(const Document& document, ItemId item, const FieldView
 
 Result<Edit> add_transform(const Document& document, ItemId id, std::string_view word,
                            std::span<const double> numbers, std::optional<std::size_t> before) {
-  const Item& item = document[id];
+  const SceneItem& item = document[id];
   const Syntax& syntax = document.state().syntax;
   const auto* const spec = std::find_if(std::begin(transform_fields), std::end(transform_fields),
                                         [&](const FieldWord& some) { return some.xml == word; });
@@ -1094,7 +1094,7 @@ bool is_as_wanted(const Document& document, const Edit& edit, const Camera& came
 
 Result<Edit> set_camera(const Document& document, const Camera& camera) {
   constexpr ItemId camera_item = 1;
-  const Item& item = document[camera_item];
+  const SceneItem& item = document[camera_item];
   const Editor editor(document);
   const std::vector<FieldView> fields = document.fields(camera_item);
   const bool has_focus = std::any_of(fields.begin(), fields.end(), [](const FieldView& field) {
@@ -1188,12 +1188,12 @@ Result<Edit> add_item(const Document& document, std::optional<ItemId> near, cons
 }
 
 Result<Edit> remove_item(const Document& document, ItemId id) {
-  const Item& item = document[id];
+  const SceneItem& item = document[id];
   if (is_fixed(item)) {
     return input_error("every scene needs it");
   }
   const auto all = document.items();
-  const auto users = std::count_if(all.begin(), all.end(), [&](const Item& other) {
+  const auto users = std::count_if(all.begin(), all.end(), [&](const SceneItem& other) {
     return item.kind == ItemKind::master && other.kind == ItemKind::instance &&
            other.name == item.name;
   });
@@ -1215,7 +1215,7 @@ Result<Edit> remove_item(const Document& document, ItemId id) {
 }
 
 Result<Edit> duplicate_item(const Document& document, ItemId id) {
-  const Item& item = document[id];
+  const SceneItem& item = document[id];
   if (is_fixed(item)) {
     return input_error("a scene has only one");
   }
@@ -1228,7 +1228,7 @@ Result<Edit> duplicate_item(const Document& document, ItemId id) {
 }
 
 std::optional<ItemId> neighbor_of(const Document& document, ItemId id, int step) {
-  const Item& item = document[id];
+  const SceneItem& item = document[id];
   if (is_fixed(item) || item.shared) {
     return std::nullopt;
   }
@@ -1257,7 +1257,7 @@ Result<Edit> reorder_item(const Document& document, ItemId id, int step) {
 }
 
 std::vector<ItemId> targets_for(const Document& document, ItemId id) {
-  const Item& item = document[id];
+  const SceneItem& item = document[id];
   const bool xml = document.is_xml();
   if (is_fixed(item) || item.kind == ItemKind::master || item.shared ||
       (xml && item.kind == ItemKind::light)) {
@@ -1267,7 +1267,7 @@ std::vector<ItemId> targets_for(const Document& document, ItemId id) {
   const ItemId used = editor.last_used(id);
   std::vector<ItemId> targets;
   for (ItemId target = 0; target < document.items().size(); ++target) {
-    const Item& group = document[target];
+    const SceneItem& group = document[target];
     const ItemId top = editor.top_of(target);
     // A template is declared before its first use.
     const bool later = document[top].kind != ItemKind::master || used == no_item || top > used;
@@ -1282,7 +1282,7 @@ std::vector<ItemId> targets_for(const Document& document, ItemId id) {
 
 Result<Edit> move_into(const Document& document, ItemId id, ItemId target) {
   const std::vector<ItemId> targets = targets_for(document, id);
-  const Item& item = document[id];
+  const SceneItem& item = document[id];
   if (item.shared) {
     return not_shared();
   }
@@ -1301,7 +1301,7 @@ Result<Edit> move_into(const Document& document, ItemId id, ItemId target) {
 }
 
 Result<Edit> wrap_in_group(const Document& document, ItemId id) {
-  const Item& item = document[id];
+  const SceneItem& item = document[id];
   if (is_fixed(item) || item.kind == ItemKind::master ||
       (document.is_xml() && item.kind == ItemKind::light)) {
     return input_error("only objects can be put into a group");

@@ -15,16 +15,16 @@ struct FieldWord {
   std::string_view json;
   std::string_view title;
   FieldKind kind = FieldKind::number;
-  Range range{};
+  NumberRange range{};
   std::string_view start{};   ///< of a new field; words with spaces between them
   std::uint8_t xml_rank = 0;  ///< sort key of the order in XML; ties keep that of the table
 
   std::string_view name(bool is_xml) const { return is_xml ? xml : json; }
 };
 
-inline constexpr Range any_number{};
-inline constexpr Range not_negative{.low = 0};
-inline constexpr Range positive{.low = 0, .open_low = true};
+inline constexpr NumberRange any_number{};
+inline constexpr NumberRange not_negative{.low = 0};
+inline constexpr NumberRange positive{.low = 0, .open_low = true};
 
 inline constexpr FieldWord global_fields[] = {
     {"ambientcoeff", "ambientCoeff", "Ambient coefficient", FieldKind::number, {0, 100}, "0.5"},
@@ -62,8 +62,8 @@ inline constexpr FieldWord light_fields[] = {
     {"height", "height", "Height", FieldKind::number, positive, "1", 2},
 };
 
-inline constexpr Range color_range{0, 16};
-inline constexpr Range repeat_range{0.001, 10'000};
+inline constexpr NumberRange color_range{0, 16};
+inline constexpr NumberRange repeat_range{0.001, 10'000};
 
 inline constexpr FieldWord primitive_fields[] = {
     {{}, "type", "Shape", FieldKind::choice, any_number, "cube"},

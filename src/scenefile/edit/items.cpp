@@ -36,7 +36,7 @@ class ItemFinder {
  private:
   ItemId add(ItemKind kind, std::string name, PartId element, PartId block, ItemId parent) {
     const auto id = static_cast<ItemId>(state_.items.size());
-    Item& item = state_.items.emplace_back();
+    SceneItem& item = state_.items.emplace_back();
     item.kind = kind;
     item.name = std::move(name);
     item.element = element;

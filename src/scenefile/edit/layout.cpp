@@ -236,7 +236,7 @@ void Layout::write_json(std::string& out, const Fresh& fresh, const std::string&
 // Changes of XML.
 
 Insertion Layout::insert_children(PartId id, PartId previous, std::span<const Piece> pieces) const {
-  const Part& element = syntax_[id];
+  const SyntaxPart& element = syntax_[id];
   const std::string own(indent_at(element.from));
   const auto joined = [&](const std::string& indent, const std::string& before,
                           const std::string& after, bool broad) {
@@ -326,7 +326,7 @@ TextChange Layout::set_attribute(PartId element, std::string_view name, std::str
 
 // What is between an entry and the comma or bracket before it.
 std::string_view Layout::gap_before(PartId list, std::size_t index) const {
-  const Part& all = syntax_[list];
+  const SyntaxPart& all = syntax_[list];
   const std::size_t before =
       index == 0 ? all.body + 1 : text_.find(',', syntax_[all.children[index - 1]].to) + 1;
   return text_.substr(before, syntax_[all.children[index]].from - before);
@@ -336,14 +336,14 @@ std::string Layout::colon_of(PartId object) const {
   if (syntax_[object].children.empty()) {
     return minified_ ? ":" : ": ";
   }
-  const Part& first = syntax_[syntax_[object].children.front()];
+  const SyntaxPart& first = syntax_[syntax_[object].children.front()];
   const std::size_t key_end = first.from + first.key_size;
   return std::string(text_.substr(key_end, first.body - key_end));
 }
 
 Insertion Layout::insert_entry(PartId id, std::size_t index, const Piece& piece,
                                std::string_view key) const {
-  const Part& list = syntax_[id];
+  const SyntaxPart& list = syntax_[id];
   const std::string own(indent_at(list.body));
   const std::string name = key.empty() ? "" : json_quoted(key) + colon_of(id);
   if (list.children.empty()) {
@@ -360,7 +360,7 @@ Insertion Layout::insert_entry(PartId id, std::size_t index, const Piece& piece,
   const bool second = near == 0 && list.children.size() > 1 && index > 0;
   const std::string_view gap = gap_before(id, second ? 1 : near);
   const bool broad_gap = gap.find('\n') != gap.npos;
-  const Part& neighbor = syntax_[list.children[near]];
+  const SyntaxPart& neighbor = syntax_[list.children[near]];
   const std::string indent(broad_gap ? indent_at(neighbor.from) : std::string_view(own));
   const std::string_view written = syntax_.slice(neighbor.range());
   const bool broad = !one_line_ && broad_gap &&
@@ -377,7 +377,7 @@ Insertion Layout::insert_entry(PartId id, std::size_t index, const Piece& piece,
 }
 
 std::vector<TextChange> Layout::remove_entries(PartId id, std::span<const std::size_t> gone) const {
-  const Part& list = syntax_[id];
+  const SyntaxPart& list = syntax_[id];
   std::vector<TextChange> changes;
   if (gone.size() == list.children.size()) {
     return {replacing(list.body + 1, list.to - 1)};
@@ -387,7 +387,7 @@ std::vector<TextChange> Layout::remove_entries(PartId id, std::span<const std::s
     ++first;
   }
   for (const std::size_t index : gone) {
-    const Part& entry = syntax_[list.children[index]];
+    const SyntaxPart& entry = syntax_[list.children[index]];
     changes.push_back(index < first ? replacing(entry.from, syntax_[list.children[index + 1]].from)
                                     : replacing(syntax_[list.children[index - 1]].to, entry.to));
   }

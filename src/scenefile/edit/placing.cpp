@@ -179,7 +179,7 @@ class Joined {
 
 // Whether an item has at most a translation, a rotation and a scale, in this order, before its
 // object.
-bool is_simple(const std::vector<FieldView>& fields, const Item& item, bool xml) {
+bool is_simple(const std::vector<FieldView>& fields, const SceneItem& item, bool xml) {
   constexpr std::string_view order[] = {"translate", "rotate", "scale"};
   std::size_t next = 0;
   for (const FieldView& field : fields) {
@@ -415,7 +415,7 @@ Result<Edit> place_item(const Document& document, const Handle& handle,
   }
   const std::optional<Decomposed> parts = decomposed(local, signs);
   // Several parts cannot be inserted one by one into something empty.
-  const Item& item = document[handle.item];
+  const SceneItem& item = document[handle.item];
   const PartId container = document.is_xml() ? item.block : item.element;
   const bool is_empty = document.state().syntax[container].children.empty();
   if (!parts || !is_simple(transforms, item, document.is_xml()) || is_empty) {

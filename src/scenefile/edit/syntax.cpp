@@ -70,13 +70,13 @@ class ElementTree {
       if (open_.empty() || syntax_.name(open_.back()) != token.name) {
         return false;
       }
-      Part& part = syntax_.parts[open_.back()];
+      SyntaxPart& part = syntax_.parts[open_.back()];
       part.close = from;
       part.to = to;
       open_.pop_back();
     } else if (token.kind == XmlTokenKind::start || token.kind == XmlTokenKind::empty) {
       const auto id = static_cast<PartId>(syntax_.parts.size());
-      Part& part = syntax_.parts.emplace_back();
+      SyntaxPart& part = syntax_.parts.emplace_back();
       part.empty = token.kind == XmlTokenKind::empty;
       part.from = from;
       part.to = part.body = part.close = to;
@@ -129,17 +129,18 @@ std::optional<Error> parse_json_file(Syntax& syntax, const ReadOptions& options)
   std::size_t read = 0;  // up to where brackets were matched
   const auto close = [&](JsonIndex next) {
     while (!open.empty() && open.back().end <= next) {
-      Part& part = syntax.parts[open.back().id];
-      read = text.find(part.type == Part::Type::object ? '}' : ']', read) + 1;
+      SyntaxPart& part = syntax.parts[open.back().id];
+      read = text.find(part.type == SyntaxPart::Type::object ? '}' : ']', read) + 1;
       part.to = syntax.start + static_cast<std::uint32_t>(read);
       open.pop_back();
     }
   };
   for (JsonIndex item = 0; item < tape.items.size(); ++item) {
     close(item);
-    const bool keyed = !open.empty() && syntax.parts[open.back().id].type == Part::Type::object;
+    const bool keyed =
+        !open.empty() && syntax.parts[open.back().id].type == SyntaxPart::Type::object;
     const auto id = static_cast<PartId>(syntax.parts.size());
-    Part& part = syntax.parts.emplace_back();
+    SyntaxPart& part = syntax.parts.emplace_back();
     part.from = syntax.start + tape.items[item].offset;
     syntax.places.push_back(places.at(tape.items[item].offset));
     if (keyed) {
@@ -155,11 +156,11 @@ std::optional<Error> parse_json_file(Syntax& syntax, const ReadOptions& options)
     const bool contains = tape.is_object(item) || tape.is_array(item);
     read = tape.items[item].offset + (contains ? 1 : tape.items[item].extent);
     part.to = syntax.start + static_cast<std::uint32_t>(read);
-    part.type = tape.is_object(item)   ? Part::Type::object
-                : tape.is_array(item)  ? Part::Type::array
-                : tape.is_string(item) ? Part::Type::string
-                : tape.is_number(item) ? Part::Type::number
-                                       : Part::Type::word;
+    part.type = tape.is_object(item)   ? SyntaxPart::Type::object
+                : tape.is_array(item)  ? SyntaxPart::Type::array
+                : tape.is_string(item) ? SyntaxPart::Type::string
+                : tape.is_number(item) ? SyntaxPart::Type::number
+                                       : SyntaxPart::Type::word;
     if (contains) {
       open.push_back({tape.end(item), id});
     }
@@ -171,8 +172,8 @@ std::optional<Error> parse_json_file(Syntax& syntax, const ReadOptions& options)
 }  // namespace
 
 std::string_view Syntax::name(PartId id) const {
-  const Part& part = parts[id];
-  if (part.type == Part::Type::element && xml) {
+  const SyntaxPart& part = parts[id];
+  if (part.type == SyntaxPart::Type::element && xml) {
     return text.substr(part.from + 1, part.key_size);
   }
   return part.key_size == 0 ? std::string_view() : text.substr(part.from + 1, part.key_size - 2);
@@ -188,7 +189,7 @@ PartId Syntax::at(Location place) const {
 }
 
 std::vector<WrittenAttribute> Syntax::attributes(PartId id) const {
-  const Part& part = parts[id];
+  const SyntaxPart& part = parts[id];
   XmlScanner scanner(text.substr(part.from, part.body - part.from));
   XmlToken token;
   scanner.next(token);

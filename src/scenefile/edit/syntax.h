@@ -20,7 +20,7 @@ using PartId = std::uint32_t;
 inline constexpr PartId no_part = ~PartId{0};
 
 /// An XML element or a JSON value.
-struct Part {
+struct SyntaxPart {
   enum class Type : std::uint8_t { element, object, array, string, number, word };
 
   Type type = Type::element;
@@ -51,10 +51,10 @@ struct Syntax {
   std::uint32_t start = 0;  ///< size of the byte order mark
   JsonTape tape;            ///< of JSON, without the byte order mark
   /// Ascending by `from`. The first is <scenefile> or the JSON document.
-  std::vector<Part> parts;
+  std::vector<SyntaxPart> parts;
   std::vector<Location> places;  ///< of the parts, as the reader reports them
 
-  const Part& operator[](PartId id) const { return parts[id]; }
+  const SyntaxPart& operator[](PartId id) const { return parts[id]; }
   /// The name of an element as written, or the key without its quotes.
   std::string_view name(PartId id) const;
   /// The part that begins at a place, or no_part.

@@ -214,7 +214,7 @@ ByteRange range_in(JsonView value, const TextLines& lines) {
   return {from, std::max(from, lines.offset(position_in(value["end"])))};
 }
 
-int symbol_kind(PartKind kind) {
+int symbol_kind(OutlineKind kind) {
   enum {
     module = 2,
     name_space = 3,
@@ -225,19 +225,19 @@ int symbol_kind(PartKind kind) {
     klass = 5
   };
   switch (kind) {
-    case PartKind::globals:
+    case OutlineKind::globals:
       return constant;
-    case PartKind::camera:
+    case OutlineKind::camera:
       return interface;
-    case PartKind::light:
+    case OutlineKind::light:
       return event;
-    case PartKind::tree:
+    case OutlineKind::tree:
       return klass;
-    case PartKind::group:
+    case OutlineKind::group:
       return name_space;
-    case PartKind::instance:
+    case OutlineKind::instance:
       return module;
-    case PartKind::primitive:
+    case OutlineKind::primitive:
       return object;
   }
   return object;

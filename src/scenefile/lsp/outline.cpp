@@ -64,15 +64,15 @@ class XmlOutline {
   void open(const XmlToken& token) {
     std::size_t part = no_part;
     if (token.name == "globaldata") {
-      part = add(token, PartKind::globals, "globaldata", {});
+      part = add(token, OutlineKind::globals, "globaldata", {});
     } else if (token.name == "cameradata") {
-      part = add(token, PartKind::camera, "cameradata", {});
+      part = add(token, OutlineKind::camera, "cameradata", {});
     } else if (token.name == "lightdata") {
-      part = add(token, PartKind::light, "lightdata", {});
+      part = add(token, OutlineKind::light, "lightdata", {});
     } else if (token.name == "object") {
       part = add_object(token);
     } else if (token.name == "type" && !open_.empty() && open_.back() != no_part &&
-               outline_.parts[open_.back()].kind == PartKind::light) {
+               outline_.parts[open_.back()].kind == OutlineKind::light) {
       outline_.parts[open_.back()].detail = value_of(token, "v");
     } else if (kind_of_element(token.name) == ValueKind::color) {
       add_color(token);
@@ -89,7 +89,7 @@ class XmlOutline {
     open_.pop_back();
   }
 
-  std::size_t add(const XmlToken& token, PartKind kind, std::string_view name,
+  std::size_t add(const XmlToken& token, OutlineKind kind, std::string_view name,
                   std::string_view detail) {
     outline_.parts.push_back(
         {kind, std::string(name), std::string(detail), offset(token.written), 0, depth_});
@@ -104,10 +104,10 @@ class XmlOutline {
       outline_.names.push_back(
           {std::string(name), offset(name), offset(name) + name.size(), type == "tree"});
     }
-    const PartKind kind = type == "primitive" ? PartKind::primitive
-                          : type == "master"  ? PartKind::instance
-                          : top               ? PartKind::tree
-                                              : PartKind::group;
+    const OutlineKind kind = type == "primitive" ? OutlineKind::primitive
+                             : type == "master"  ? OutlineKind::instance
+                             : top               ? OutlineKind::tree
+                                                 : OutlineKind::group;
     return add(token, kind, name.empty() ? type : name, type);
   }
 
@@ -193,32 +193,32 @@ class JsonOutline {
       part.detail = tape_.string(i);
     } else if (key == "name") {
       part.name = tape_.string(i);
-      if (part.kind == PartKind::tree || part.kind == PartKind::group) {
+      if (part.kind == OutlineKind::tree || part.kind == OutlineKind::group) {
         const std::size_t from = tape_.items[i].offset + 1;
         outline_.names.push_back(
-            {part.name, from, from + tape_.raw(i).size(), part.kind == PartKind::tree});
+            {part.name, from, from + tape_.raw(i).size(), part.kind == OutlineKind::tree});
       }
     }
   }
 
   std::size_t part_of(JsonIndex i, std::string_view key) {
-    PartKind kind;
+    OutlineKind kind;
     if (key == "globalData") {
-      kind = PartKind::globals;
+      kind = OutlineKind::globals;
     } else if (key == "cameraData") {
-      kind = PartKind::camera;
+      kind = OutlineKind::camera;
     } else if (key == "lights") {
-      kind = PartKind::light;
+      kind = OutlineKind::light;
     } else if (key == "primitives") {
-      kind = PartKind::primitive;
+      kind = OutlineKind::primitive;
     } else if (key == "groups") {
-      kind = PartKind::group;
+      kind = OutlineKind::group;
     } else if (key == "templateGroups") {
-      kind = PartKind::tree;
+      kind = OutlineKind::tree;
     } else {
       return no_part;
     }
-    const bool list = kind != PartKind::globals && kind != PartKind::camera;
+    const bool list = kind != OutlineKind::globals && kind != OutlineKind::camera;
     std::string name(key.substr(0, key.size() - (list ? 1 : 0)));
     outline_.parts.push_back({kind, std::move(name), {}, tape_.items[i].offset, 0, depth_});
     ++depth_;

@@ -11,11 +11,11 @@
 
 namespace scenefile {
 
-enum class PartKind : std::uint8_t { globals, camera, light, group, primitive, instance, tree };
+enum class OutlineKind : std::uint8_t { globals, camera, light, group, primitive, instance, tree };
 
 /// All ranges are bytes of the text, [from, to).
 struct OutlinePart {
-  PartKind kind = PartKind::group;
+  OutlineKind kind = OutlineKind::group;
   std::string name;
   std::string detail;  ///< a type; may be empty
   std::size_t from = 0;

@@ -146,7 +146,7 @@ void count_fireflies(const TruthBlocks& back, const LinearPicture& picture, Path
 
 // One way to linearize the picture, and what the search found then.
 struct Reading {
-  Curve curve = Curve::linear;
+  ToneCurve curve = ToneCurve::linear;
   bool any_exposure = false;
   LinearPicture picture;
   ObservedBlocks seen;
@@ -161,7 +161,7 @@ struct Reading {
   }
 };
 
-Reading read_as(const TruthBlocks& back, const DecodedPicture& mine, Curve curve, double white,
+Reading read_as(const TruthBlocks& back, const DecodedPicture& mine, ToneCurve curve, double white,
                 bool any_exposure) {
   Reading reading;
   reading.curve = curve;
@@ -202,7 +202,7 @@ double fitted_white(const TruthBlocks& back, const DecodedPicture& mine, bool an
   double best = 1;
   double least = 1e300;
   for (double white = 0.05; white < 2000; white *= 1.2) {
-    const ObservedBlocks seen = observe(back, linearized(mine, Curve::course, white));
+    const ObservedBlocks seen = observe(back, linearized(mine, ToneCurve::course, white));
     const ModelSearch search(back, seen, any_exposure);
     PathModel scaled{
         ModelKind::mistake, "direct", "", combined(back.lamp, 1, back.hit), {back.sampled}};
@@ -222,27 +222,28 @@ std::vector<Reading> readings_of(const TruthBlocks& back, const DecodedPicture& 
                                  bool as_shown) {
   std::vector<Reading> list;
   if (mine.is_linear() && !as_shown) {
-    list.push_back(read_as(back, mine, Curve::linear, 1, false));
+    list.push_back(read_as(back, mine, ToneCurve::linear, 1, false));
     return list;
   }
   const double white = white_by_lamps(back, mine).value_or(0);
-  const auto add = [&](Curve curve, double white, bool any_exposure) {
+  const auto add = [&](ToneCurve curve, double white, bool any_exposure) {
     Reading reading = read_as(back, mine, curve, white, any_exposure);
     if (3 * reading.seen.tested > back.truth.blocks()) {
       list.push_back(std::move(reading));
     }
   };
   for (const bool any_exposure : {false, true}) {
-    add(Curve::course, white > 0 ? white : fitted_white(back, mine, any_exposure), any_exposure);
+    add(ToneCurve::course, white > 0 ? white : fitted_white(back, mine, any_exposure),
+        any_exposure);
   }
-  for (const Curve curve :
-       {Curve::reinhard, Curve::power22, Curve::srgb, Curve::power2, Curve::clamp}) {
+  for (const ToneCurve curve : {ToneCurve::reinhard, ToneCurve::power22, ToneCurve::srgb,
+                                ToneCurve::power2, ToneCurve::clamp}) {
     add(curve, 1, false);
     add(curve, 1, true);
   }
   // A fitted exposure must explain clearly more, and other curves than the course's.
   const auto cost = [](const Reading& r) {
-    return (r.left() + 0.2) * (r.any_exposure ? 1.3 : 1) * (r.curve == Curve::course ? 1 : 1.3);
+    return (r.left() + 0.2) * (r.any_exposure ? 1.3 : 1) * (r.curve == ToneCurve::course ? 1 : 1.3);
   };
   std::stable_sort(list.begin(), list.end(),
                    [&](const Reading& a, const Reading& b) { return cost(a) < cost(b); });

@@ -16,30 +16,30 @@ double uncompressed(double shown, double white) {
   return square / 2 * (-b + std::sqrt(b * b + 4 * shown / square));
 }
 
-Color undone(const Color& v, Curve curve, double white) {
+Color undone(const Color& v, ToneCurve curve, double white) {
   switch (curve) {
-    case Curve::course: {
+    case ToneCurve::course: {
       const Color square = v * v;
       const double shown = luminance(square);
       return shown > 0 ? square * (uncompressed(shown, white) / shown) : Color(0);
     }
-    case Curve::reinhard: {
+    case ToneCurve::reinhard: {
       const Color power = glm::pow(v, Color(2.2));
       return power / glm::max(Color(1) - power, Color(1e-3));
     }
-    case Curve::power22:
+    case ToneCurve::power22:
       return glm::pow(v, Color(2.2));
-    case Curve::srgb: {
+    case ToneCurve::srgb: {
       Color result;
       for (int c = 0; c < 3; ++c) {
         result[c] = v[c] <= 0.04045 ? v[c] / 12.92 : std::pow((v[c] + 0.055) / 1.055, 2.4);
       }
       return result;
     }
-    case Curve::power2:
+    case ToneCurve::power2:
       return v * v;
-    case Curve::linear:
-    case Curve::clamp:
+    case ToneCurve::linear:
+    case ToneCurve::clamp:
       break;
   }
   return v;
@@ -47,7 +47,7 @@ Color undone(const Color& v, Curve curve, double white) {
 
 }  // namespace
 
-LinearPicture linearized(const DecodedPicture& picture, Curve curve, double white) {
+LinearPicture linearized(const DecodedPicture& picture, ToneCurve curve, double white) {
   LinearPicture result;
   const bool floats = picture.is_linear();
   const std::size_t count = (floats ? picture.linear.rgb.size() : picture.texture.rgb.size()) / 3;
@@ -63,7 +63,7 @@ LinearPicture linearized(const DecodedPicture& picture, Curve curve, double whit
     if (floats) {
       result.usable[i] = std::isfinite(v.x + v.y + v.z) ? 1 : 0;
       v = result.usable[i] != 0 ? v : Color(0);
-      if (curve == Curve::linear) {
+      if (curve == ToneCurve::linear) {
         result.pixels[i] = v;
         continue;
       }

@@ -12,7 +12,7 @@ namespace scenefile {
 
 /// How a program made 8-bit values. `course`: docs/path.md; `reinhard`: v / (1 + v) of each value,
 /// then to the power 1 / 2.2; the others clamp to [0, 1] before the power or curve.
-enum class Curve : std::uint8_t { linear, course, reinhard, power22, srgb, power2, clamp };
+enum class ToneCurve : std::uint8_t { linear, course, reinhard, power22, srgb, power2, clamp };
 inline constexpr std::array<std::string_view, 7> curve_words{
     "linear values",
     "the tone curve of the course",
@@ -31,6 +31,6 @@ struct LinearPicture {
 
 /// Undoes the curve; of floats, too, if it is not `linear`. `white`: of the curve `course`, the
 /// luminance that becomes 1.
-LinearPicture linearized(const DecodedPicture& picture, Curve curve, double white);
+LinearPicture linearized(const DecodedPicture& picture, ToneCurve curve, double white);
 
 }  // namespace scenefile

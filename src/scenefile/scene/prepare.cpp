@@ -31,7 +31,7 @@ class PartBuilder {
         part_of_template_(scene.templates.size(), no_index),
         seen_(scene.nodes.size()) {}
 
-  std::vector<Part> build() {
+  std::vector<PreparedPart> build() {
     add_part(scene_.root);
     std::size_t next = 0;
     // Both lists grow while parts are filled.
@@ -77,7 +77,7 @@ class PartBuilder {
                });
   }
 
-  void add_contents(Part& part, NodeId id, const DAffine& part_from_node) {
+  void add_contents(PreparedPart& part, NodeId id, const DAffine& part_from_node) {
     const Node& node = scene_.nodes[id];
     if (node.primitives.empty()) {
       return;
@@ -91,7 +91,7 @@ class PartBuilder {
     }
   }
 
-  void add_primitive(Part& part, const Primitive& primitive, const Source& source,
+  void add_primitive(PreparedPart& part, const Primitive& primitive, const Source& source,
                      const Affine& map) {
     const bool mesh = primitive.shape == Shape::mesh;
     if (mesh && primitive.mesh_file.empty()) {
@@ -128,13 +128,13 @@ class PartBuilder {
   TemplateNames names_;
   std::vector<std::uint32_t> part_of_template_;
   std::vector<bool> seen_;
-  std::vector<Part> parts_;
+  std::vector<PreparedPart> parts_;
   std::vector<Waiting> waiting_;
 };
 
-Graph graph_of(const std::vector<Part>& parts) {
+Graph graph_of(const std::vector<PreparedPart>& parts) {
   Graph graph;
-  for (const Part& part : parts) {
+  for (const PreparedPart& part : parts) {
     graph.first.push_back(static_cast<std::uint32_t>(graph.target.size()));
     for (const PartInstance& instance : part.instances) {
       graph.target.push_back(instance.part);
@@ -146,11 +146,11 @@ Graph graph_of(const std::vector<Part>& parts) {
 
 // Turns parts into groups, contained groups first. A part that draws nothing becomes no group;
 // instances of it, and instances that close a loop, are dropped.
-void add_groups(std::vector<Part>& parts, RenderScene& scene) {
+void add_groups(std::vector<PreparedPart>& parts, RenderScene& scene) {
   constexpr std::uint32_t root_part = 0;
   std::vector<std::uint32_t> group_of(parts.size(), no_index);
   const auto leave = [&](std::uint32_t index) {
-    Part& part = parts[index];
+    PreparedPart& part = parts[index];
     RenderGroup group;
     group.primitives = std::move(part.primitives);
     for (const PartInstance& instance : part.instances) {
@@ -214,7 +214,7 @@ Prepared prepare(const Scene& scene, const Limits& limits) {
   Prepared prepared;
   prepared.scene.global = ready_global(scene.global);
   prepared.scene.camera = ready_camera(scene.camera.value_or(Camera{}));
-  std::vector<Part> parts = PartBuilder(scene, prepared).build();
+  std::vector<PreparedPart> parts = PartBuilder(scene, prepared).build();
   add_lights(scene, limits, prepared);
   add_groups(parts, prepared.scene);
   return prepared;

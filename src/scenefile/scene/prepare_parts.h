@@ -47,7 +47,7 @@ struct PartInstance {
 };
 
 /// A tree of the scene (the root or a template) with all its nodes folded into it.
-struct Part {
+struct PreparedPart {
   NodeId head = 0;
   std::vector<RenderPrimitive> primitives;
   std::vector<PartInstance> instances;

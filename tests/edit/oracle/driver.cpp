@@ -28,7 +28,7 @@ std::vector<std::string> words_in(const std::string& line) {
 std::optional<ItemId> item_named(const Document& document, const std::string& kind,
                                  const std::string& from) {
   for (ItemId id = 0; id < document.items().size(); ++id) {
-    const Item& item = document[id];
+    const SceneItem& item = document[id];
     if (kinds[static_cast<int>(item.kind)] == kind &&
         (kind == "root" || kind == "globals" || kind == "camera" ||
          std::to_string(item.range.from) == from)) {
@@ -122,7 +122,7 @@ int main(int argc, char** argv) {
     return 0;
   }
   for (ItemId id = 0; id < document->items().size(); ++id) {
-    const Item& item = (*document)[id];
+    const SceneItem& item = (*document)[id];
     std::printf("I\t%s\t%u\t%u\t%s\n", kinds[static_cast<int>(item.kind)], item.range.from,
                 item.range.to, item.name.c_str());
     for (const FieldView& field : document->fields(id)) {

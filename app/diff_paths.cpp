@@ -53,11 +53,13 @@ std::string text_of(const Options& options, std::span<const LoadedPicture> pictu
     text +=
         fmt::format("{}{}", text.empty() ? "" : " and ", escaped(shown_name(picture.path), 4096));
   }
-  text += fmt::format(", by the truth of {}\n", escaped(shown_name(options.scene), 4096));
+  text +=
+      fmt::format(", compared with the truth of {}\n", escaped(shown_name(options.scene), 4096));
   if (judged.reference && !judged.reference->right) {
-    text +=
-        fmt::format("note: the first picture is not the truth of the scene within its noise{}\n",
-                    judged.reference->too_noisy ? ", or it is too noisy" : "");
+    text += fmt::format("note: the first picture {}\n",
+                        judged.reference->too_noisy
+                            ? "is too noisy to tell whether it is right"
+                            : "differs from the truth of the scene by more than its noise");
     for (const PathClaim& claim : judged.reference->causes) {
       text += fmt::format("note: in the first picture {}\n", claim.what);
     }

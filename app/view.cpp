@@ -4,6 +4,7 @@
 #include "app/output.h"
 #include "app/realtime.h"
 #include "app/view_answers.h"
+#include "scenefile/format/recognize.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/folder.h"
 #include "scenefile/viewer/playlist.h"
@@ -21,11 +22,15 @@ namespace scenefile::app {
 namespace {
 
 // Runs on a thread of the window.
-viewer::OpenedScene open_for_view(const std::string& path, bool materials, Options options) {
+viewer::OpenedScene open_for_view(const viewer::SceneRequest& request, Options options) {
   Context context;
-  options.load.materials = options.load.materials || materials;
+  options.load.materials = options.load.materials || request.materials;
+  const bool allow_missing = options.load.allow_missing;
   LoadedScene loaded =
-      load_scene(path, options, LoadDepth::with_all_assets, options.load.allow_missing, context);
+      request.text
+          ? load_scene_text(request.path, *request.text, options, LoadDepth::with_all_assets,
+                            allow_missing, context)
+          : load_scene(request.path, options, LoadDepth::with_all_assets, allow_missing, context);
   check_picture(loaded);
   viewer::OpenedScene opened;
   if (loaded.usable()) {
@@ -33,7 +38,7 @@ viewer::OpenedScene open_for_view(const std::string& path, bool materials, Optio
       opened.files.push_back(file.resolved.path);
     }
   }
-  opened.path = path;
+  opened.path = request.path;
   opened.text = std::move(loaded.text);
   opened.unreadable = loaded.unreadable ? loaded.unreadable->text : "";
   opened.written = std::move(loaded.written);
@@ -43,7 +48,8 @@ viewer::OpenedScene open_for_view(const std::string& path, bool materials, Optio
   return opened;
 }
 
-// Why the window cannot open; empty if it can.
+// Why the window cannot open; empty if it can. With somebody at the window, a scene that does not
+// exist is a new one.
 std::string missing(const Options& options) {
   if (options.arguments.empty()) {
     return {};
@@ -52,7 +58,9 @@ std::string missing(const Options& options) {
   if (scene != "-" && viewer::scene_at(scene).empty()) {
     return scene + ": there is no scene in this folder";
   }
-  if (scene != "-" && !stamp_of(scene).exists) {
+  const bool attended = options.script.empty() && options.screenshot.empty();
+  const bool can_be_new = attended && is_scene_name(scene) && is_folder(folder_of(scene));
+  if (scene != "-" && !stamp_of(scene).exists && !can_be_new) {
     return scene + ": there is no such file";
   }
   if (options.arguments.size() > 1 && !stamp_of(options.arguments[1]).exists) {
@@ -134,8 +142,8 @@ void set_tracing(const Options& options, viewer::SessionSetup& setup) {
 
 viewer::WindowOptions window_options(const Options& options, viewer::Script script) {
   viewer::WindowOptions window;
-  window.setup.load = [&options](const std::string& path, bool materials) {
-    return open_for_view(path, materials, options);
+  window.setup.load = [&options](const viewer::SceneRequest& request) {
+    return open_for_view(request, options);
   };
   window.setup.read = {.compat_course = options.load.compat_course, .limits = options.load.limits};
   set_tracing(options, window.setup);

@@ -184,9 +184,9 @@ TEST_F(View, QuitsInTheMiddleOfEverything) {
 TEST_F(View, SelectsAndSavesTheView) {
   const std::string click =
       "click " + std::to_string(sphere_x) + " " + std::to_string(middle_y) + "\nframes 4\n";
-  const ProgramRun run =
-      tour("settle\n" + click + shot("selected.png") +
-           "move 565 299\nwheel 2\nframes 2\nkey Ctrl+S\nsettle\n" + shot("saved.png"));
+  const ProgramRun run = tour(
+      "settle\n" + click + shot("selected.png") +
+      "move 565 299\nwheel 2\nframes 2\nkey C\nframes 2\nkey Ctrl+S\nsettle\n" + shot("saved.png"));
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_GT(count(picture("selected.png"), 0xDC, 0x88, 0x35), 5) << "a box around it";
   const std::string text = folder.read("a.xml");
@@ -345,7 +345,10 @@ TEST_F(View, TracesPathsAndExplainsThem) {
 
 TEST_F(View, ReportsErrors) {
   folder.write("empty/readme.txt");
-  EXPECT_THAT(view({folder.path("none.xml")}).err, HasSubstr("no such file"));
+  EXPECT_THAT(view({folder.path("none/none.xml")}).err, HasSubstr("no such file"));
+  EXPECT_THAT(view({folder.path("none.xml"), "--screenshot", folder.path("n.png")}).err,
+              HasSubstr("no such file"))
+      << "a new scene needs somebody at the window";
   EXPECT_THAT(view({path, folder.path("none.png")}).err, HasSubstr("no such file"));
   EXPECT_THAT(view({folder.path("empty")}).err, HasSubstr("no scene in this folder"));
   const ProgramRun run = tour("settle\njump\n");

@@ -69,16 +69,6 @@ TEST_F(Mode, WiresLeaveFacesOpen) {
   EXPECT_LT(lit, 200u);
 }
 
-TEST_F(Mode, TheHighlightedObjectIsTinted) {
-  DrawOptions options;
-  options.samples = 1;
-  options.highlighted = 0;
-  Drawing drawing = uploaded(builder);
-  EXPECT_LT(at(draw_square(drawing, builder.scene.camera, options), 16, 16).b, 0.9f);
-  options.highlighted = 7;
-  EXPECT_EQ(at(draw_square(drawing, builder.scene.camera, options), 16, 16), glm::vec3(1));
-}
-
 TEST(Vertices, EachEdgeOccursOnce) {
   EXPECT_EQ(edges({0, 1, 2, 2, 1, 3}).size(), 2u * 5);
   EXPECT_EQ(bent_edges(shape_vertices(Shape::cube, 8)).size(), 2u * 12) << "no diagonals";

@@ -33,6 +33,7 @@ TEST_F(OutlineTest, ShowsTheSceneInTheOrderOfTheFile) {
             (r.detail.empty() ? "" : " (" + r.detail + ")") + "\n";
   }
   EXPECT_EQ(text,
+            "global data\n"
             "camera\n"
             "root\n"
             "  directional light\n"
@@ -64,8 +65,9 @@ TEST_F(OutlineTest, RowsHaveAPlaceAndASource) {
 
 TEST_F(OutlineTest, OnlyOpenRowsShowTheirContents) {
   EXPECT_EQ(visible_rows(outline, {}),
-            (std::vector<std::uint32_t>{row("camera"), row("root"), row("templates")}));
-  EXPECT_EQ(visible_rows(outline, {row("root")}).size(), 9U);
+            (std::vector<std::uint32_t>{row("global data"), row("camera"), row("root"),
+                                        row("templates")}));
+  EXPECT_EQ(visible_rows(outline, {row("root")}).size(), 10U);
 }
 
 TEST_F(OutlineTest, HidingARowHidesItsContents) {

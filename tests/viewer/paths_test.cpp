@@ -43,11 +43,11 @@ struct PathsTest : ::testing::Test {
                  "mtllib box.mtl\nusemtl wall\nv -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\n"
                  "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
                  "f 1 2 3 4\nf 1 5 6 2\nf 1 4 8 5\nf 2 6 7 3\nusemtl lamp\nf 4 3 7 8\n");
-    session.setup.load = [this](const std::string& file, bool materials) {
-      materials_wanted = materials;
-      OpenedScene opened = testing::open_file(file, materials);
-      opened.assets =
-          testing_support::load_files(file, opened.ready.scene, opened.diagnostics, materials);
+    session.setup.load = [this](const SceneRequest& request) {
+      materials_wanted = request.materials;
+      OpenedScene opened = testing::open_request(request);
+      opened.assets = testing_support::load_files(request.path, opened.ready.scene,
+                                                  opened.diagnostics, request.materials);
       return opened;
     };
     session.setup.wake = [] {};

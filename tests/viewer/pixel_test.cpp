@@ -2,7 +2,7 @@
 
 #include "io/temp_folder.h"
 #include "scenefile/asset/image_file.h"
-#include "scenefile/viewer/selection_values.h"
+#include "scenefile/viewer/copied_text.h"
 #include "scenefile/viewer/session.h"
 #include "viewer/test_scene.h"
 
@@ -26,7 +26,7 @@ using testing_support::TempFolder;
 
 struct PixelTest : ::testing::Test {
   PixelTest() {
-    session.setup.load = testing::open_file;
+    session.setup.load = testing::open_request;
     session.setup.wake = [] {};
     session.setup.trace = default_options(Profile::fine);
     session.setup.explain_pixel = [this](const PixelQuestion& question) {
@@ -190,26 +190,6 @@ TEST_F(PixelTest, CopiesThePixelTheSelectionOrTheCamera) {
   EXPECT_THAT(text, HasSubstr("pixel 26,15 of 40x30\n"));
   EXPECT_THAT(text, HasSubstr("terms of 26,15"));
   EXPECT_THAT(session.notice->text, HasSubstr("the pixel"));
-}
-
-TEST_F(PixelTest, ValuesOfLightsAndTheCamera) {
-  for (std::uint32_t row = 0; row < session.shown->outline.rows.size(); ++row) {
-    select(session, row);
-    const std::vector<NamedValue> values = selection_values(session);
-    switch (session.shown->outline.rows[row].kind) {
-      case RowKind::light:
-        ASSERT_FALSE(values.empty());
-        EXPECT_EQ(values.front().name, "color");
-        EXPECT_TRUE(values.front().color.has_value());
-        break;
-      case RowKind::camera:
-        ASSERT_EQ(values.size(), 4U);
-        EXPECT_EQ(values.front().text, "0 0 6");
-        break;
-      default:
-        break;
-    }
-  }
 }
 
 }  // namespace

@@ -2,9 +2,7 @@
 
 #include "scenefile/viewer/session.h"
 
-#include "io/temp_folder.h"
-#include "scenefile/asset/image_file.h"
-#include "viewer/test_scene.h"
+#include "viewer/session_fixture.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,73 +17,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using testing_support::TempFolder;
-
-struct SessionTest : ::testing::Test {
-  SessionTest() {
-    session.setup.load = testing::open_file;
-    session.setup.wake = [] {};
-    session.setup.trace = default_options(Profile::fine);
-    session.settings.samples = 1;
-    session.picture = {{0, 0}, {400, 300}};
-    session.pixels = {40, 30};
-    open_scene(session, path);
-    settle();
-  }
-
-  // Advances simulated time, faster than real time.
-  void pass(double seconds) {
-    for (double end = time + seconds; time < end; time += 0.05) {
-      tick(session, time);
-    }
-  }
-  void settle() {
-    pass(0.8);
-    for (int i = 0; i < testing::patience && !settled(session); ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      pass(0.05);
-    }
-    EXPECT_TRUE(settled(session));
-  }
-  // Nothing draws the pictures that a comparison waits for.
-  void settle_files() {
-    pass(0.8);
-    for (int i = 0; i < testing::patience && (session.loading.busy() || session.reading.busy());
-         ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      pass(0.05);
-    }
-  }
-  void rewrite(const std::string& from, const std::string& to) {
-    std::string text = folder.read("a.xml");
-    ASSERT_NE(text.find(from), std::string::npos) << from;
-    folder.write("a.xml", text.replace(text.find(from), from.size(), to));
-    settle();
-  }
-  void click(double x, double y) {
-    pointer_moved(session, {x, y});
-    pointer_pressed(session, 0, {});
-    pointer_released(session);
-  }
-  void drag(double x, double y, const KeyPress& with = {}, int button = 0) {
-    pointer_moved(session, {200, 150});
-    pointer_pressed(session, button, with);
-    pointer_moved(session, {200 + x, 150 + y});
-    pointer_released(session);
-  }
-  std::string selected() const {
-    return session.selected ? session.shown->outline.rows[*session.selected].label : "";
-  }
-  std::string write_picture(const std::string& name, int width, int height) {
-    return folder.write(name,
-                        *encode_image(Image(width, height), ImageFormat::png8, Rounding::nearest));
-  }
-  const RenderScene& scene() const { return session.shown->opened.ready.scene; }
-
-  TempFolder folder;
-  std::string path = folder.write("a.xml", testing::scene_text);
-  Session session;
-  double time = 0;
-};
+using SessionTest = testing::SessionFixture;
 
 TEST_F(SessionTest, OpensAtTheCameraOfTheScene) {
   ASSERT_NE(session.shown, nullptr);
@@ -239,53 +171,6 @@ TEST_F(SessionTest, AFileThatIsRemovedAndRestored) {
   std::filesystem::rename(path + "~", path);
   settle();
   EXPECT_EQ(session.broken, nullptr);
-}
-
-TEST_F(SessionTest, SavesTheView) {
-  drag(0, 0, {}, 0);
-  perform(session, Action::save_view);
-  EXPECT_THAT(session.notice->text, HasSubstr("already"));
-  EXPECT_EQ(folder.read("a.xml"), testing::scene_text);
-  wheel_turned(session, 2);
-  perform(session, Action::save_view);
-  EXPECT_THAT(session.notice->text, HasSubstr("saved"));
-  EXPECT_THAT(folder.read("a.xml"), HasSubstr("<!-- in front -->"));
-  const Camera saved = *testing::open_file(path).written.camera;
-  EXPECT_NEAR(saved.position.z, session.camera.position.z, 1e-5);
-  settle();
-  EXPECT_EQ(session.known_text, folder.read("a.xml"));
-}
-
-TEST_F(SessionTest, DoesNotOverwriteChangedFiles) {
-  wheel_turned(session, 2);
-  folder.write("a.xml", testing::scene_text + "<!-- an hour of work -->");
-  perform(session, Action::save_view);
-  EXPECT_TRUE(session.notice->bad);
-  EXPECT_THAT(folder.read("a.xml"), HasSubstr("an hour of work"));
-}
-
-TEST_F(SessionTest, ASavedViewIsUndone) {
-  perform(session, Action::undo_save);
-  EXPECT_THAT(session.notice->text, HasSubstr("no view has been saved"));
-  const ViewCamera home = session.home;
-  wheel_turned(session, 2);
-  perform(session, Action::save_view);
-  ASSERT_NE(folder.read("a.xml"), testing::scene_text);
-  settle();
-  perform(session, Action::undo_save);
-  EXPECT_THAT(session.notice->text, HasSubstr("undone"));
-  EXPECT_EQ(folder.read("a.xml"), testing::scene_text);
-  EXPECT_EQ(session.home, home);
-  EXPECT_FALSE(session.saved_over.has_value());
-}
-
-TEST_F(SessionTest, UndoDoesNotOverwriteChangedFiles) {
-  wheel_turned(session, 2);
-  perform(session, Action::save_view);
-  folder.write("a.xml", testing::scene_text + "<!-- an hour of work -->");
-  perform(session, Action::undo_save);
-  EXPECT_TRUE(session.notice->bad);
-  EXPECT_THAT(folder.read("a.xml"), HasSubstr("an hour of work"));
 }
 
 TEST_F(SessionTest, RealtimeIsDrawnWithThePanelsSettings) {

@@ -46,10 +46,11 @@ inline const std::string scene_text = R"(<scenefile>
 )";
 
 /// Opens a scene like the program does, for scenes without assets.
-inline OpenedScene open_file(const std::string& path, bool /*materials*/ = false) {
+inline OpenedScene open_request(const SceneRequest& request) {
   OpenedScene opened;
-  opened.path = path;
-  const Result<std::string> text = read_file(path, Limits{}.file_bytes);
+  opened.path = request.path;
+  const Result<std::string> text =
+      request.text ? *request.text : read_file(request.path, Limits{}.file_bytes);
   if (!text) {
     opened.unreadable = text.error().text;
     return opened;
@@ -63,6 +64,9 @@ inline OpenedScene open_file(const std::string& path, bool /*materials*/ = false
     opened.ready = prepare(opened.written, {});
   }
   return opened;
+}
+inline OpenedScene open_file(const std::string& path) {
+  return open_request({path});
 }
 
 }  // namespace scenefile::viewer::testing

@@ -127,8 +127,6 @@ struct DrawOptions {
   std::vector<bool> lights;
   /// Whether objects are drawn, by source of primitives and instances; sources beyond the list are.
   std::vector<bool> objects;
-  /// Source of a primitive or instance to tint; no_index: none.
-  std::uint32_t highlighted = no_index;
   glm::vec3 background{0};
   /// Draw the picture of the assignment Realtime: its tessellation, lights, clipping and filters,
   /// with one sample per pixel and without shadows, textures and transparency, regardless of the

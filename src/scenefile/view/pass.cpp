@@ -153,11 +153,6 @@ class Pass {
            any_source(name, [&](std::uint32_t source) { return !is_shown(source); });
   }
 
-  bool is_highlighted(const DrawnObject& name) const {
-    return options_.highlighted != no_index &&
-           any_source(name, [&](std::uint32_t source) { return source == options_.highlighted; });
-  }
-
   BatchKey key_of(const WorldObject& object) const {
     BatchKey key;
     if (boxes_) {
@@ -299,8 +294,7 @@ class Pass {
       record.rows[row] =
           glm::vec4(map.linear[0][row], map.linear[1][row], map.linear[2][row], map.offset[row]);
     }
-    const float tint = is_highlighted(drawing_.scene.names[item.object]) ? 0.4f : 0.0f;
-    record.object = {static_cast<float>(object.material), tint, static_cast<float>(item.object), 0};
+    record.object = {static_cast<float>(object.material), static_cast<float>(item.object), 0, 0};
     return record;
   }
 

@@ -31,7 +31,7 @@ inline constexpr std::array<int, 9> level_segments{4, 6, 8, 12, 18, 28, 48, 96, 
 inline constexpr std::size_t levels = level_segments.size();
 
 /// The per-instance input of the vertex shader: the map to the world relative to the eye, row by
-/// row; material, tint, and number of the object.
+/// row; material and number of the object.
 struct InstanceRecord {
   std::array<glm::vec4, 3> rows;
   glm::vec4 object{0};

@@ -23,11 +23,6 @@ constexpr std::size_t texels_at_once = std::size_t{1} << 20;
 // The camera moves as long as it has moved within so many seconds.
 constexpr double still_moving = 0.2;
 
-// A single selected object is tinted; groups get a box (gui_overlay.cpp).
-std::uint32_t highlighted(const Session& session) {
-  return session.selected ? session.shown->outline.rows[*session.selected].source : no_index;
-}
-
 PaintJob job_of(const Session& session, PaintRecipe recipe, bool refines) {
   return {std::move(recipe),
           {session.shown, &session.shown->opened},
@@ -82,7 +77,6 @@ PaintRecipe Canvas::recipe_for(const Session& session, int hurry) const {
   } else if (!options.course) {
     options.samples = 4;  // fast enough while the camera moves
   }
-  options.highlighted = highlighted(session);
   const int halvings = std::max(0, hurry - 1);
   return {session.version,
           render_camera(session.camera),

@@ -93,6 +93,7 @@ ImVec2 vec(const glm::dvec2& v) {
 
 void build_gui(Session& session, const GuiFrame& frame, const glm::dvec2& window) {
   Box room{{0, 0}, window};
+  session.gui_scale = frame.scale;
   if (!session.picture_only) {
     build_menu(session);
     room.at.y = ImGui::GetFrameHeight();
@@ -117,6 +118,9 @@ void build_gui(Session& session, const GuiFrame& frame, const glm::dvec2& window
   }
   if (session.help) {
     build_help(frame);
+  }
+  if (session.question) {
+    build_question(session, frame);
   }
 }
 

@@ -46,6 +46,8 @@ bool is_on(const Session& session, Action action) {
       return session.settings.axes;
     case Action::realtime:
       return session.realtime;
+    case Action::handles:
+      return session.handles != Handles::none;
     case Action::full_screen:
       return session.full_screen;
     default:
@@ -59,9 +61,17 @@ bool is_possible(const Session& session, Action action) {
     case Action::difference:
       return !session.reference->empty();
     case Action::hide_selected:
+    case Action::duplicate:
+    case Action::remove:
+    case Action::earlier:
+    case Action::later:
+    case Action::wrap:
+    case Action::edit_fields:
       return session.selected.has_value();
-    case Action::undo_save:
-      return session.saved_over.has_value();
+    case Action::undo:
+      return !session.editing.done.empty() || session.editing.progress;
+    case Action::redo:
+      return !session.editing.undone.empty();
     case Action::show_all:
       return !session.hidden.empty();
     default:
@@ -95,7 +105,8 @@ void dim_text(const std::string& text) {
 void build_title(const Session& session) {
   const float right = ImGui::GetWindowWidth() - 1.6F * ImGui::GetFontSize();
   const float room = right - ImGui::GetCursorPosX() - ImGui::GetFontSize();
-  const std::string text = fitting(escaped(scene_name(session), 80), room);
+  const char* const mark = has_unsaved_edits(session) ? "\u2022 " : "";
+  const std::string text = fitting(mark + escaped(scene_name(session), 80), room);
   ImGui::SameLine(right - ImGui::CalcTextSize(text.c_str()).x);
   dim_text(text);
 }

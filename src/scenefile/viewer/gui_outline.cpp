@@ -4,7 +4,6 @@
 #include "scenefile/base/text.h"
 #include "scenefile/viewer/gui.h"
 #include "scenefile/viewer/gui_colors.h"
-#include "scenefile/viewer/selection_values.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -159,6 +158,11 @@ class RowPainter {
         draw.AddTriangleFilled({c.x + r * 0.2F, c.y}, {c.x + r, c.y - r * 0.6F},
                                {c.x + r, c.y + r * 0.6F}, line);
         break;
+      case RowKind::globals:
+        for (const float y : {-0.7F, 0.0F, 0.7F}) {
+          draw.AddLine({c.x - r, c.y + r * y}, {c.x + r, c.y + r * y}, line, 1.5F);
+        }
+        break;
       case RowKind::copy:
         draw.AddRect({c.x - r, c.y - r}, {c.x + r * 0.4F, c.y + r * 0.4F}, line, 1);
         draw.AddRectFilled({c.x - r * 0.4F, c.y - r * 0.4F}, {c.x + r, c.y + r}, line, 1);
@@ -261,70 +265,22 @@ void build_rows(Session& session) {
   }
 }
 
-void build_value(const NamedValue& value) {
-  ImGui::TextDisabled("%s", value.name.c_str());
-  ImGui::SameLine(ImGui::GetFontSize() * 6);
-  if (value.color) {
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float size = ImGui::GetTextLineHeight();
-    const glm::vec3 c = glm::clamp(*value.color, 0.0F, 1.0F);
-    ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + 1}, {at.x + size, at.y + size - 1},
-                                              ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1}),
-                                              3);
-    ImGui::Dummy({size, size});
-    ImGui::SameLine();
-  }
-  ImGui::TextUnformatted(escaped(value.text, 60).c_str());
-}
-
-// The switch of a light.
-void build_light_switch(Session& session, std::uint32_t source) {
-  const RenderScene& scene = session.shown->opened.ready.scene;
-  const auto found = std::find_if(scene.lights.begin(), scene.lights.end(),
-                                  [&](const RenderLight& l) { return l.source == source; });
-  if (found == scene.lights.end()) {
-    return;
-  }
-  const auto index = static_cast<std::uint32_t>(found - scene.lights.begin());
-  bool alone = session.only_light == index;
-  if (ImGui::Checkbox("only this light", &alone)) {
-    show_only_light(session, alone ? std::optional(index) : std::nullopt);
-  }
-}
-
-void build_inspector(Session& session) {
-  const OutlineRow& row = session.shown->outline.rows[*session.selected];
-  ImGui::TextUnformatted(escaped(row.label, 60).c_str());
-  if (row.location.known()) {
-    ImGui::SameLine();
-    ImGui::TextDisabled("%s:%u:%u", escaped(shown_name(session), 60).c_str(), row.location.line,
-                        row.location.column);
-  }
-  if (!session.selected_path.empty()) {
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextDisabled("%s", escaped(session.selected_path, 300).c_str());
-    ImGui::PopTextWrapPos();
-  }
-  ImGui::Spacing();
-  for (const NamedValue& value : selection_values(session)) {
-    build_value(value);
-  }
-  if (row.kind == RowKind::light) {
-    build_light_switch(session, row.source);
-  }
-}
-
 }  // namespace
 
 void build_outline(Session& session, const GuiFrame& frame) {
-  const auto inspector = static_cast<float>(session.selected ? 225 * frame.scale : 0);
-  ImGui::BeginChild("rows", {0, -inspector});
+  const float room = ImGui::GetContentRegionAvail().y;
+  const float object = session.selected ? std::floor(0.6F * room) : 0;
+  ImGui::BeginChild("rows", {0, -object});
   build_rows(session);
   ImGui::EndChild();
   if (session.selected) {
     ImGui::Separator();
-    ImGui::BeginChild("selected", {0, 0});
-    build_inspector(session);
+    if (session.keyboard_in_fields && !session.keyboard_was_in_fields) {
+      ImGui::SetNextWindowFocus();
+    }
+    session.keyboard_was_in_fields = session.keyboard_in_fields;
+    ImGui::BeginChild("selected");
+    build_object(session, frame);
     ImGui::EndChild();
   }
 }

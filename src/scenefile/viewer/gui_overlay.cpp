@@ -119,8 +119,7 @@ void paint_comparison(const Session& session, const GuiFrame& frame) {
 /// Projects world points to the window.
 class Projection {
  public:
-  Projection(const RenderCamera& camera, const CameraView& view)
-      : camera_(camera), box_(view.box), aspect_(view.aspect), half_(std::tan(camera.fov_y / 2)) {}
+  explicit Projection(const Session& session) : session_(session) {}
 
   // Draws the line between two world points, clipped to the front of the camera.
   void paint(glm::dvec3 a, glm::dvec3 b, ImU32 color, float width) const {
@@ -150,18 +149,11 @@ class Projection {
  private:
   double depth(const glm::dvec3& p) const { return -glm::dot(p - camera_.position, camera_.w); }
   glm::dvec2 point(const glm::dvec3& p) const {
-    const glm::dvec3 to = p - camera_.position;
-    const double reach = 2 * half_ * std::max(depth(p), 1e-9);
-    const glm::dvec2 scale = box_.size / glm::dvec2(reach * aspect_, reach);
-    const glm::dvec2 middle = box_.at + box_.size * 0.5;
-    return glm::clamp(
-        middle + glm::dvec2(glm::dot(to, camera_.u), -glm::dot(to, camera_.v)) * scale, -1e5, 1e5);
+    return point_in_window(session_, p).value_or(glm::dvec2(-1e5));
   }
 
-  const RenderCamera camera_;
-  const Box box_;
-  double aspect_;
-  double half_;
+  const Session& session_;
+  const RenderCamera camera_ = render_camera(session_.camera);
 };
 
 void paint_box(const Projection& projection, const Bounds& box, double scale) {
@@ -179,7 +171,7 @@ void paint_box(const Projection& projection, const Bounds& box, double scale) {
   }
 }
 
-// A box around the selection: the only mark of groups, and of instances behind other objects.
+// A box around the selection, which leaves its colors as they are.
 void paint_selection(const Session& session, const GuiFrame& frame) {
   if (!session.selected || session.compare > CompareView::split) {
     return;
@@ -193,7 +185,7 @@ void paint_selection(const Session& session, const GuiFrame& frame) {
   const double right =
       session.compare == CompareView::split ? session.split * picture.size.x : picture.size.x;
   draw.PushClipRect(vec(picture.at), vec(picture.at + glm::dvec2(right, picture.size.y)));
-  paint_box(Projection(render_camera(session.camera), camera_view(session)), box, frame.scale);
+  paint_box(Projection(session), box, frame.scale);
   draw.PopClipRect();
 }
 
@@ -221,7 +213,7 @@ void paint_helpers(const Session& session, const GuiFrame& frame) {
   if (session.shown == nullptr || session.compare > CompareView::split) {
     return;
   }
-  const Projection projection(render_camera(session.camera), camera_view(session));
+  const Projection projection(session);
   const Bounds& box = session.shown->bounds;
   const double size = box.empty() ? 1 : glm::length(box.max - box.min);
   const OutlineRow* const selected =
@@ -246,6 +238,46 @@ void paint_helpers(const Session& session, const GuiFrame& frame) {
     paint_lines(projection,
                 camera_helper(render_camera(session.home), picture.size.x / picture.size.y, box),
                 rgba(camera_chosen ? color_accent : 0xd0d0d0), frame.scale);
+  }
+  draw.PopClipRect();
+}
+
+// The handles of the selection; the one under the pointer, or held, is bright.
+void paint_handles(Session& session, const GuiFrame& frame) {
+  const std::optional<HandleSet> set = handles_of(session);
+  if (!set || session.compare > CompareView::split) {
+    return;
+  }
+  static constexpr std::array<unsigned, 4> colors{0xe05050, 0x50c050, 0x5080ff, 0xe2e4e8};
+  const bool held = session.pointer.drag == Drag::handle;
+  const std::optional<int> bright = held
+                                        ? std::optional(session.grasped->number)
+                                        : handle_at(session, *set, session.pointer.at, frame.scale);
+  const auto s = static_cast<float>(frame.scale);
+  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+  const Box& picture = session.picture;
+  draw.PushClipRect(vec(picture.at), vec(picture.at + picture.size));
+  for (const HandleLine& line : handle_lines(session, *set, frame.scale)) {
+    const bool over = bright == line.number;
+    const ImU32 color =
+        rgba(over ? 0xffffff : colors[static_cast<std::size_t>(line.number)], over ? 255 : 230);
+    std::vector<ImVec2> points;
+    for (const glm::dvec2& point : line.points) {
+      points.push_back(vec(point));
+    }
+    const auto count = static_cast<int>(points.size());
+    draw.AddPolyline(points.data(), count, rgba(0x000000, 150), 0, 5 * s);
+    draw.AddPolyline(points.data(), count, color, 0, 2.5F * s);
+    if (set->kind == Handles::turn) {
+      continue;
+    }
+    const ImVec2 end = points.back();
+    const float r = (line.number == 3 ? 6 : 5) * s;
+    if (set->kind == Handles::scale) {
+      draw.AddRectFilled({end.x - r, end.y - r}, {end.x + r, end.y + r}, color, 1);
+    } else {
+      draw.AddCircleFilled(end, r, color, 16);
+    }
   }
   draw.PopClipRect();
 }
@@ -330,6 +362,7 @@ void build_overlay(Session& session, const GuiFrame& frame) {
   paint_pictures(session, frame);
   paint_selection(session, frame);
   paint_helpers(session, frame);
+  paint_handles(session, frame);
   paint_comparison(session, frame);
   paint_legend(session, frame);
   paint_welcome(session, frame);

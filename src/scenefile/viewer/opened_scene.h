@@ -7,6 +7,7 @@
 #include "scenefile/scene/scene.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,9 +31,14 @@ struct OpenedScene {
   bool usable() const { return unreadable.empty() && !diagnostics.has_errors(); }
 };
 
+struct SceneRequest {
+  std::string path;
+  std::optional<std::string> text{};  ///< instead of the file's
+  bool materials = false;             ///< read those of mesh faces even if the scene has lights
+};
+
 /// Reads, checks, prepares and loads a scene; called on any thread, also concurrently. The caller
-/// sets the limits and what may be opened. `materials`: read those of mesh faces even if the scene
-/// has lights.
-using LoadScene = std::function<OpenedScene(const std::string& path, bool materials)>;
+/// sets the limits and what may be opened.
+using LoadScene = std::function<OpenedScene(const SceneRequest&)>;
 
 }  // namespace scenefile::viewer

@@ -81,6 +81,7 @@ class OutlineMaker {
   }
 
   Outline make() {
+    add({RowKind::globals, 0, 0, 0, "global data"});
     add_camera();
     add_tree(scene_.root, 0, scene_.name.empty() ? "scene" : scene_.name);
     if (!scene_.templates.empty()) {
@@ -121,6 +122,8 @@ class OutlineMaker {
   void add_camera() {
     if (scene_.camera) {
       add({RowKind::camera, 0, 0, 0, "camera", "", scene_.camera->location});
+    } else {
+      add({RowKind::camera, 0, 0, 0, "camera", "default"});
     }
   }
 

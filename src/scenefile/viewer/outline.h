@@ -11,7 +11,7 @@
 
 namespace scenefile::viewer {
 
-enum class RowKind : std::uint8_t { camera, light, group, copy, primitive, templates };
+enum class RowKind : std::uint8_t { globals, camera, light, group, copy, primitive, templates };
 
 /// A row. Its contents follow it, up to `end`.
 struct OutlineRow {
@@ -30,7 +30,8 @@ struct Outline {
   std::vector<std::uint32_t> row_of_source;  ///< by source; no_index: none
 };
 
-/// The camera first, then the root with its lights, objects and groups, then the templates.
+/// Global data and the camera, then the root with its lights, objects and groups, then the
+/// templates.
 Outline make_outline(const Scene& scene, const Prepared& ready);
 
 /// Matches the rows of two versions of a scene: for each row of `before` its index in `after`,

@@ -242,16 +242,22 @@ void show_only_light(Session& session, std::optional<std::uint32_t> light) {
 }
 
 void select(Session& session, std::optional<std::uint32_t> row, std::vector<std::uint32_t> copy) {
+  finish_edit(session);
+  session.editing.part.reset();
   session.selected = row;
   session.selected_path.clear();
   session.selected_copy = std::move(copy);
   session.selected_box = selected_bounds(session);
   if (row && session.shown != nullptr) {
-    for (const std::uint32_t around : rows_around(session.shown->outline, *row)) {
-      session.open_rows.insert(around);
-    }
-    session.reveal_selected = true;
+    reveal_selection(session);
   }
+}
+
+void reveal_selection(Session& session) {
+  for (const std::uint32_t around : rows_around(session.shown->outline, *session.selected)) {
+    session.open_rows.insert(around);
+  }
+  session.reveal_selected = true;
 }
 
 Bounds selected_bounds(const Session& session) {
@@ -338,6 +344,27 @@ CameraView camera_view(const Session& session) {
   view.box.size *= glm::dvec2(session.pixels) / glm::dvec2(frame.width, frame.height);
   view.box.at.y += box.size.y - view.box.size.y;
   return view;
+}
+
+Ray ray_in_window(const Session& session, const glm::dvec2& at) {
+  const CameraView view = camera_view(session);
+  return ray_through(render_camera(session.camera), (at - view.box.at) / view.box.size,
+                     view.aspect);
+}
+
+std::optional<glm::dvec2> point_in_window(const Session& session, const glm::dvec3& point) {
+  const RenderCamera camera = render_camera(session.camera);
+  const CameraView view = camera_view(session);
+  const glm::dvec3 to = point - camera.position;
+  const double depth = -glm::dot(to, camera.w);
+  if (depth <= 0) {
+    return std::nullopt;
+  }
+  const double reach = 2 * std::tan(camera.fov_y / 2) * std::max(depth, 1e-9);
+  const glm::dvec2 scale = view.box.size / glm::dvec2(reach * view.aspect, reach);
+  const glm::dvec2 middle = view.box.at + view.box.size * 0.5;
+  return glm::clamp(middle + glm::dvec2(glm::dot(to, camera.u), -glm::dot(to, camera.v)) * scale,
+                    -1e5, 1e5);
 }
 
 bool shows_traced(const Session& session) {

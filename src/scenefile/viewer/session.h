@@ -12,7 +12,9 @@
 #include "scenefile/viewer/background.h"
 #include "scenefile/viewer/camera_control.h"
 #include "scenefile/viewer/comparison.h"
+#include "scenefile/viewer/editing.h"
 #include "scenefile/viewer/file_watch.h"
+#include "scenefile/viewer/handles.h"
 #include "scenefile/viewer/live_trace.h"
 #include "scenefile/viewer/opened_scene.h"
 #include "scenefile/viewer/outline.h"
@@ -39,7 +41,7 @@ inline constexpr double watch_interval = 0.25;  ///< seconds between checks of t
 /// Set by the program before the window opens.
 struct SessionSetup {
   LoadScene load;
-  ReadOptions read;       ///< how `load` reads, for saving the view
+  ReadOptions read;       ///< how `load` reads, for editing
   RenderOptions trace;    ///< for the ray tracer; the window sets size and samples
   RenderOptions paths{};  ///< for path tracing; the window sets the size
   /// Whether to trace paths; if not set, only of scenes that are lit by faces alone.
@@ -57,7 +59,9 @@ struct SessionSetup {
 /// A drawable scene, with derived data.
 struct SceneOnShow {
   OpenedScene opened;
-  Camera camera;  ///< of the file, or the default camera
+  std::uint64_t text_version = 0;  ///< Editing::version of its text
+  bool from_file = false;          ///< its text was read from the file
+  Camera camera;                   ///< of the file, or the default camera
   Outline outline;
   Bounds bounds;
   std::unique_ptr<const Picker> picker;
@@ -93,7 +97,7 @@ struct Box {
 };
 
 /// What dragging does until the button is released.
-enum class Drag : std::uint8_t { none, orbit, pan, look, zoom, split };
+enum class Drag : std::uint8_t { none, orbit, pan, look, zoom, split, handle };
 
 struct Pointer {
   glm::dvec2 at{0};
@@ -101,13 +105,6 @@ struct Pointer {
   Drag drag = Drag::none;
   bool moved = false;     ///< since the press: no longer a click
   glm::dvec3 grasped{0};  ///< world-space point under the pointer, for zooming
-};
-
-/// For undoing a saved view.
-struct SavedOver {
-  std::string path;
-  std::string text;  ///< the previous contents of the file
-  ViewCamera home;
 };
 
 struct Session {
@@ -119,10 +116,10 @@ struct Session {
   std::string path;                           ///< of the scene requested last; empty: none
   std::shared_ptr<const SceneOnShow> shown;   ///< the last drawable scene; null before the first
   std::uint64_t version = 0;                  ///< changes with each scene shown
-  std::string known_text;                     ///< the contents of its file
   std::shared_ptr<const SceneOnShow> broken;  ///< the newest version, if it cannot be drawn
   Background<std::shared_ptr<SceneOnShow>> loading;
   bool load_again = false;  ///< once the current load is done
+  bool load_file = false;   ///< the next load reads the file, not the edited text
   FileWatch watch;
   double watched_at = 0;
   std::uint64_t looks = 0;  ///< how often the files were checked
@@ -175,7 +172,13 @@ struct Session {
 
   PixelReadout readout;
 
-  std::optional<SavedOver> saved_over;  ///< what the last saved view replaced
+  // Editing.
+  Editing editing;
+  std::optional<Question> question;
+  Handles handles = Handles::move;
+  std::optional<GraspedHandle> grasped;  ///< while Drag::handle
+  bool keyboard_in_fields = false;       ///< the keyboard belongs to the fields of the selection
+  bool keyboard_was_in_fields = false;   ///< in the last frame
 
   StartPanel start;
   Thumbnails thumbnails;
@@ -186,13 +189,14 @@ struct Session {
   bool quit = false;
   bool picture_only = false;   ///< no panels
   double messages_height = 0;  ///< of the contents of the messages panel; set by the window
+  double gui_scale = 1;        ///< pixels per pixel of a normal-density screen; set by the window
   std::string screenshot;      ///< a file for the window to write; empty: none
   std::string copied;          ///< text for the window to put on the clipboard; empty: none
   std::optional<Notice> notice;
   std::vector<std::string> drawing_notes;  ///< findings of drawing the scene
 };
 
-/// Starts loading the scene, or the first scene of a folder.
+/// Starts loading the scene, or the first scene of a folder. Asks first if edits would be lost.
 void open_scene(Session& session, const std::string& path);
 /// Shows the panel that opens scenes, at the folder of the scene.
 void open_start_panel(Session& session);
@@ -235,6 +239,8 @@ void picture_changed(Session& session);
 /// `copy`: after a click, the sources of the instances around the object, outermost first.
 void select(Session& session, std::optional<std::uint32_t> row,
             std::vector<std::uint32_t> copy = {});
+/// Opens the rows around the selected one, and scrolls to it.
+void reveal_selection(Session& session);
 /// The bounding box of the selection: of the clicked instance, or of all instances; empty if
 /// nothing is visible. Takes time linear in the size of the scene; Session::selected_box caches it.
 Bounds selected_bounds(const Session& session);
@@ -273,6 +279,10 @@ struct CameraView {
   double aspect = 1;
 };
 CameraView camera_view(const Session& session);
+/// The ray through a place in the window.
+Ray ray_in_window(const Session& session, const glm::dvec2& at);
+/// Where a point of the world is in the window; nullopt: not in front of the camera.
+std::optional<glm::dvec2> point_in_window(const Session& session, const glm::dvec3& point);
 /// Whether the picture is path traced: always, not only when the camera rests.
 bool traces_paths(const Session& session);
 /// Whether the ray tracer's or path tracer's picture is visible.

@@ -3,9 +3,8 @@
 #include "scenefile/base/text.h"
 #include "scenefile/io/folder.h"
 #include "scenefile/viewer/collect_views.h"
+#include "scenefile/viewer/copied_text.h"
 #include "scenefile/viewer/playlist.h"
-#include "scenefile/viewer/save_view.h"
-#include "scenefile/viewer/selection_values.h"
 #include "scenefile/viewer/session.h"
 
 #include <fmt/format.h>
@@ -22,43 +21,86 @@ void frame(Session& session) {
   set_camera(session, framing(session.camera, box.empty() ? session.shown->bounds : box, aspect));
 }
 
-void save(Session& session) {
-  if (session.shown->opened.path != session.path) {
-    say(session, fmt::format("cannot save the view: the picture is not of {}", scene_name(session)),
-        true);
-    return;
-  }
-  const Camera camera = camera_of(session.camera, session.shown->camera);
-  Result<std::string> saved =
-      save_view(session.path, session.known_text, camera, session.setup.read);
-  const std::string name = scene_name(session);
-  if (!saved) {
-    say(session, fmt::format("cannot save the view: {}", saved.error().text), true);
-  } else if (*saved == session.known_text) {
-    say(session, fmt::format("{} already has this view", name));
+// Makes an edit of the selected item.
+void edit_selection(Session& session,
+                    const std::function<Result<Edit>(const Document&, ItemId)>& edit) {
+  if (const std::optional<ItemId> item = selected_item(session)) {
+    make_edit(session, edit(*session.editing.document, *item));
+  } else if (const std::string& refusal = session.editing.refusal; !refusal.empty()) {
+    say(session, "this scene cannot be edited: " + refusal, true);
   } else {
-    session.saved_over = {session.path, std::move(session.known_text), session.home};
-    session.known_text = *std::move(saved);
-    session.home = session.camera;
-    say(session, fmt::format("the view is saved: the camera of {}", name));
+    say(session, "nothing is selected");
   }
 }
 
-void undo_save(Session& session) {
-  if (!session.saved_over || session.saved_over->path != session.path) {
-    say(session, "no view has been saved to this scene");
+void use_view(Session& session) {
+  const Document* const document = edited_document(session);
+  if (document == nullptr) {
+    say(session, "this scene cannot be edited: " + session.editing.refusal, true);
     return;
   }
-  Result<std::string> restored =
-      restore_text(session.path, session.known_text, session.saved_over->text, session.setup.read);
-  if (!restored) {
-    say(session, fmt::format("cannot undo the save: {}", restored.error().text), true);
+  const Camera camera = camera_of(session.camera, session.shown->camera);
+  const Result<Edit> edit = set_camera(*document, camera);
+  if (edit && edit->changes.empty()) {
+    say(session, scene_name(session) + " already has this camera");
     return;
   }
-  session.known_text = *std::move(restored);
-  session.home = session.saved_over->home;
-  session.saved_over.reset();
-  say(session, fmt::format("undone: {} has its old camera", scene_name(session)));
+  session.home = session.camera;  // the view follows the camera of the scene
+  make_edit(session, edit);
+  if (edit) {
+    say(session, "the scene has this camera now; Ctrl+S saves it");
+  }
+}
+
+void edit_scene(Session& session, Action action) {
+  switch (action) {
+    case Action::use_view:
+      use_view(session);
+      break;
+    case Action::undo:
+      if (!undo_edit(session)) {
+        say(session, "there is nothing to undo");
+      }
+      break;
+    case Action::redo:
+      if (!redo_edit(session)) {
+        say(session, "there is nothing to redo");
+      }
+      break;
+    case Action::duplicate:
+      edit_selection(session, duplicate_item);
+      break;
+    case Action::remove:
+      edit_selection(session, remove_item);
+      break;
+    case Action::wrap:
+      edit_selection(session, wrap_in_group);
+      break;
+    case Action::earlier:
+    case Action::later:
+      edit_selection(session, [&](const Document& document, ItemId item) {
+        return reorder_item(document, item, action == Action::earlier ? -1 : 1);
+      });
+      break;
+    case Action::save:
+      save_scene(session);
+      break;
+    case Action::save_as:
+      ask_where_to_save(session);
+      break;
+    default:
+      break;
+  }
+}
+
+// The visible row of the outline before or after the selected one.
+void select_neighbor(Session& session, int step) {
+  const std::vector<std::uint32_t> rows = visible_rows(session.shown->outline, session.open_rows);
+  const auto now =
+      session.selected ? std::find(rows.begin(), rows.end(), *session.selected) : rows.end();
+  const auto count = static_cast<std::ptrdiff_t>(rows.size());
+  const std::ptrdiff_t next = now == rows.end() ? 0 : now - rows.begin() + step;
+  select(session, rows[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(next, 0, count - 1))]);
 }
 
 // Adds the view to the path of the scene's views, or removes the last one.
@@ -130,17 +172,19 @@ void difference(Session& session) {
   }
 }
 
-// The first unused name: chess-view.png, chess-view-2.png, ...
-std::string free_name(const Session& session) {
-  const bool no_file = session.path.empty() || session.path == "-";
-  std::string stem = no_file ? "scene" : file_name_of(session.path);
-  stem = stem.substr(0, stem.rfind('.'));
-  for (int i = 1;; ++i) {
-    const std::string name = i == 1 ? stem + "-view.png" : fmt::format("{}-view-{}.png", stem, i);
-    if (!stamp_of(name).exists) {
-      return name;
-    }
+// The first unused name: stem.png, stem-2.png, ...
+std::string free_name(const std::string& stem, std::string_view extension) {
+  std::string name = fmt::format("{}{}", stem, extension);
+  for (int i = 2; stamp_of(name).exists; ++i) {
+    name = fmt::format("{}-{}{}", stem, i, extension);
   }
+  return name;
+}
+
+std::string screenshot_name(const Session& session) {
+  const bool no_file = session.path.empty() || session.path == "-";
+  const std::string name = no_file ? "scene" : file_name_of(session.path);
+  return free_name(name.substr(0, name.rfind('.')) + "-view", ".png");
 }
 
 void set_mode(Session& session, Action action) {
@@ -162,7 +206,14 @@ void copy(Session& session) {
 }
 
 void escape(Session& session) {
-  if (session.help) {
+  if (session.question) {
+    answer_question(session, session.question->answers.size() - 1);
+  } else if (session.keyboard_in_fields) {
+    session.keyboard_in_fields = false;
+  } else if (session.editing.progress) {
+    cancel_edit(session);
+    session.pointer.drag = Drag::none;
+  } else if (session.help) {
     session.help = false;
   } else if (session.start.open) {
     close_start_panel(session);
@@ -176,7 +227,7 @@ void escape(Session& session) {
 }
 
 bool needs_scene(Action action) {
-  return action <= Action::hide_selected && action != Action::toggle_textures &&
+  return action <= Action::save_as && action != Action::toggle_textures &&
          action != Action::toggle_shadows;
 }
 
@@ -198,12 +249,6 @@ void perform_on_scene(Session& session, Action action, const KeyPress& key) {
     case Action::side_top:
       set_camera(session, seen_from(session.camera, other ? Side::bottom : Side::top));
       break;
-    case Action::save_view:
-      save(session);
-      break;
-    case Action::undo_save:
-      undo_save(session);
-      break;
     case Action::collect_view:
     case Action::drop_view:
       change_views(session, action);
@@ -219,8 +264,24 @@ void perform_on_scene(Session& session, Action action, const KeyPress& key) {
         toggle_hidden(session, *session.selected);
       }
       break;
+    case Action::handles:
+      session.handles = static_cast<Handles>((static_cast<int>(session.handles) + 1) % 4);
+      break;
+    case Action::row_above:
+      select_neighbor(session, -1);
+      break;
+    case Action::row_below:
+      select_neighbor(session, 1);
+      break;
+    case Action::edit_fields:
+      session.keyboard_in_fields = session.selected.has_value();
+      break;
     default:
-      set_mode(session, action);
+      if (action >= Action::shaded && action <= Action::bounding_boxes) {
+        set_mode(session, action);
+      } else {
+        edit_scene(session, action);
+      }
       break;
   }
 }
@@ -262,6 +323,9 @@ void perform_on_picture(Session& session, Action action) {
         open_scene(session, session.path);
       }
       break;
+    case Action::new_scene:
+      new_scene(session, free_name("scene", ".xml"));
+      break;
     case Action::open:
       if (session.start.open) {
         close_start_panel(session);
@@ -284,7 +348,7 @@ void perform_on_window(Session& session, Action action) {
   Settings& settings = session.settings;
   switch (action) {
     case Action::screenshot:
-      session.screenshot = free_name(session);
+      session.screenshot = screenshot_name(session);
       break;
     case Action::copy:
       copy(session);
@@ -320,7 +384,7 @@ void perform_on_window(Session& session, Action action) {
       escape(session);
       break;
     case Action::quit:
-      session.quit = true;
+      before_losing_edits(session, [](Session& s) { s.quit = true; });
       break;
     default:
       break;

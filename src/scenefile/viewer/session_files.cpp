@@ -21,10 +21,12 @@ namespace {
 constexpr std::uint32_t rows_open_at_first = 40;
 
 // Runs on another thread.
-std::shared_ptr<SceneOnShow> load(const LoadScene& load_scene, const std::string& path,
-                                  bool materials) {
+std::shared_ptr<SceneOnShow> load(const LoadScene& load_scene, const SceneRequest& request,
+                                  std::uint64_t version) {
   auto scene = std::make_shared<SceneOnShow>();
-  scene->opened = load_scene(path, materials);
+  scene->opened = load_scene(request);
+  scene->text_version = version;
+  scene->from_file = !request.text;
   const OpenedScene& opened = scene->opened;
   scene->camera = opened.written.camera.value_or(Camera{});
   if (opened.usable()) {
@@ -35,16 +37,21 @@ std::shared_ptr<SceneOnShow> load(const LoadScene& load_scene, const std::string
   return scene;
 }
 
-void start_loading(Session& session) {
+void start_loading(Session& session, bool from_file) {
+  session.load_file = session.load_file || from_file;
   if (session.loading.busy()) {
     session.load_again = true;
     return;
   }
   session.load_again = false;
-  session.loading.start([load_scene = session.setup.load, path = session.path,
-                         materials = session.setup.trace_paths.value_or(false),
-                         wake = session.setup.wake] {
-    std::shared_ptr<SceneOnShow> scene = load(load_scene, path, materials);
+  SceneRequest request{session.path, session.editing.text,
+                       session.setup.trace_paths.value_or(false)};
+  if (std::exchange(session.load_file, false)) {
+    request.text.reset();
+  }
+  session.loading.start([load_scene = session.setup.load, request = std::move(request),
+                         version = session.editing.version, wake = session.setup.wake] {
+    std::shared_ptr<SceneOnShow> scene = load(load_scene, request, version);
     wake();
     return scene;
   });
@@ -174,9 +181,15 @@ void show(Session& session, std::shared_ptr<const SceneOnShow> scene) {
     start_state(session);
   }
   session.shown = std::move(scene);
+  if (const std::optional<std::uint32_t> row = row_of_selected_item(session);
+      row && row != session.selected) {
+    session.selected = row;
+    session.selected_path.clear();
+    session.selected_copy.clear();
+    reveal_selection(session);
+  }
   session.selected_box = selected_bounds(session);
   ++session.version;
-  session.known_text = session.shown->opened.text;
   session.home = home_of(*session.shown);
   if (!same_file || at_home) {
     session.camera = session.home;
@@ -211,11 +224,32 @@ void close_opened_panel(Session& session) {
   }
 }
 
+// The file was read. Returns false if it is not to be shown.
+bool take_text(Session& session, SceneOnShow& scene) {
+  if (!scene.opened.unreadable.empty()) {
+    return true;
+  }
+  if (has_unsaved_edits(session)) {
+    if (scene.opened.text != session.editing.saved) {
+      ask_about_changed_file(session, scene.opened.text);
+    } else {
+      start_loading(session, false);  // other files have changed
+    }
+    return false;
+  }
+  start_editing(session, scene.opened.text);
+  scene.text_version = session.editing.version;
+  return true;
+}
+
 void accept(Session& session, std::shared_ptr<SceneOnShow> scene) {
   if (scene->opened.path != session.path) {
     return;  // another scene was requested in the meantime
   }
   watch_files(session, *scene);
+  if (scene->from_file && !take_text(session, *scene)) {
+    return;
+  }
   if (scene->opened.usable()) {
     close_opened_panel(session);
     show(session, std::move(scene));
@@ -298,7 +332,7 @@ bool tick_files(Session& session) {
     accept(session, std::move(*loaded));
     news = true;
     if (session.load_again) {
-      start_loading(session);
+      start_loading(session, false);
     }
   }
   if (std::optional<ReadPicture> read = session.reading.take()) {
@@ -315,7 +349,7 @@ bool tick_files(Session& session) {
       if (!session.reference_path.empty()) {
         read_picture_later(session, {session.reference_path, false, true});
       }
-      start_loading(session);
+      start_loading(session, true);
       news = true;
     }
   }
@@ -328,9 +362,21 @@ void open_scene(Session& session, const std::string& path) {
     say(session, path + ": there is no scene in this folder", true);
     return;
   }
-  session.path = scene;
-  session.start.opening = true;
-  start_loading(session);
+  if (scene == session.path) {
+    session.start.opening = true;
+    start_loading(session, !session.editing.new_file);
+    return;
+  }
+  before_losing_edits(session, [scene](Session& s) {
+    s.path = scene;
+    forget_edits(s);
+    s.start.opening = true;
+    start_loading(s, true);
+  });
+}
+
+void load_edited_text(Session& session) {
+  start_loading(session, false);
 }
 
 void open_start_panel(Session& session) {

@@ -21,12 +21,6 @@ bool near_split(const Session& session, const glm::dvec2& at) {
          std::abs(at.x - (box.at.x + session.split * box.size.x)) <= split_slack;
 }
 
-Ray ray_under(const Session& session, const glm::dvec2& at) {
-  const CameraView view = camera_view(session);
-  return ray_through(render_camera(session.camera), (at - view.box.at) / view.box.size,
-                     view.aspect);
-}
-
 std::optional<Pick> pick_under(const Session& session, const Ray& ray) {
   std::optional<PickPlanes> planes;
   if (session.realtime) {
@@ -38,7 +32,7 @@ std::optional<Pick> pick_under(const Session& session, const Ray& ray) {
 
 // The point of the scene under the pointer, or one at the pivot's distance.
 glm::dvec3 point_under(const Session& session) {
-  const Ray ray = ray_under(session, session.pointer.at);
+  const Ray ray = ray_in_window(session, session.pointer.at);
   if (const std::optional<Pick> pick = pick_under(session, ray)) {
     return pick->point;
   }
@@ -48,7 +42,7 @@ glm::dvec3 point_under(const Session& session) {
 // Selects the object under the pointer, and reads its pixel.
 void select_under(Session& session) {
   const SceneOnShow& scene = *session.shown;
-  const Ray ray = ray_under(session, session.pointer.at);
+  const Ray ray = ray_in_window(session, session.pointer.at);
   const std::optional<Pick> pick = pick_under(session, ray);
   const Box& box = session.picture;
   read_pixel(session, (session.pointer.at - box.at) / box.size);
@@ -62,9 +56,12 @@ void select_under(Session& session) {
   session.selected_path = names.text({pick->source, pick->instances});
 }
 
-Drag drag_of(const Session& session, int button, const KeyPress& with) {
+Drag drag_of(Session& session, int button, const KeyPress& with) {
   if (button == 0 && near_split(session, session.pointer.at)) {
     return Drag::split;
+  }
+  if (button == 0 && grasp_handle(session)) {
+    return Drag::handle;
   }
   switch (button) {
     case 0:
@@ -101,6 +98,9 @@ void drag_by(Session& session, const glm::dvec2& by) {
       session.split = std::clamp(
           (session.pointer.at.x - session.picture.at.x) / session.picture.size.x, 0.0, 1.0);
       break;
+    case Drag::handle:
+      drag_handle(session, session.fast);
+      break;
   }
 }
 
@@ -108,6 +108,16 @@ void drag_by(Session& session, const glm::dvec2& by) {
 
 bool key_pressed(Session& session, const KeyPress& key) {
   session.fast = key.shift;
+  if (session.question) {
+    // The answers are numbered.
+    const std::size_t answer = key.name == "Escape"   ? session.question->answers.size() - 1
+                               : key.name.size() == 1 ? static_cast<std::size_t>(key.name[0] - '1')
+                                                      : session.question->answers.size();
+    if (answer < session.question->answers.size()) {
+      answer_question(session, answer);
+    }
+    return true;
+  }
   if (session.settings.assignment_keys ? is_assignment_key(key) : is_flying_key(key)) {
     session.held.insert(key.name);
     return true;
@@ -128,7 +138,7 @@ void key_released(Session& session, const std::string& name) {
 
 void pointer_pressed(Session& session, int button, const KeyPress& with) {
   Pointer& pointer = session.pointer;
-  if (session.shown == nullptr || pointer.drag != Drag::none) {
+  if (session.shown == nullptr || pointer.drag != Drag::none || session.question) {
     return;
   }
   pointer.drag = drag_of(session, button, with);
@@ -157,7 +167,12 @@ void pointer_moved(Session& session, const glm::dvec2& to) {
 
 void pointer_released(Session& session) {
   Pointer& pointer = session.pointer;
-  const bool click = (pointer.drag == Drag::orbit || pointer.drag == Drag::look) && !pointer.moved;
+  const bool click =
+      (pointer.drag == Drag::orbit || pointer.drag == Drag::look || pointer.drag == Drag::handle) &&
+      !pointer.moved;
+  if (pointer.drag == Drag::handle) {
+    finish_edit(session);
+  }
   pointer.drag = Drag::none;
   if (click && session.picture.holds(pointer.at)) {
     select_under(session);

@@ -86,7 +86,7 @@ Thumbnail make_thumbnail(const LoadScene& load, const std::string& path,
     return result;
   }
   try {
-    const OpenedScene scene = load(path, false);
+    const OpenedScene scene = load({path});
     if (!scene.usable()) {
       result.wrong = scene.unreadable.empty() ? "the file has errors" : scene.unreadable;
       return result;

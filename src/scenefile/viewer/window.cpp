@@ -36,6 +36,11 @@ struct NamedKey {
 constexpr std::array named_keys{
     NamedKey{GLFW_KEY_HOME, "Home"},
     NamedKey{GLFW_KEY_ESCAPE, "Escape"},
+    NamedKey{GLFW_KEY_ENTER, "Enter"},
+    NamedKey{GLFW_KEY_KP_ENTER, "Enter"},
+    NamedKey{GLFW_KEY_DELETE, "Delete"},
+    NamedKey{GLFW_KEY_UP, "Up"},
+    NamedKey{GLFW_KEY_DOWN, "Down"},
     NamedKey{GLFW_KEY_TAB, "Tab"},
     NamedKey{GLFW_KEY_PAGE_UP, "Page Up"},
     NamedKey{GLFW_KEY_PAGE_DOWN, "Page Down"},
@@ -291,6 +296,9 @@ void Window::open_files() {
   }
   if (options_.scene.empty()) {
     open_start_panel(session_);
+  } else if (options_.scene != "-" && !stamp_of(options_.scene).exists) {
+    new_scene(session_, options_.scene);
+    say(session_, "a new scene; Ctrl+S creates " + scene_name(session_));
   } else {
     open_scene(session_, options_.scene);
   }
@@ -325,7 +333,8 @@ void Window::install_callbacks() {
 
 void Window::on_key(const KeyPress& key, bool down) {
   stir();
-  if (ImGui::GetIO().WantTextInput) {
+  const bool typing = ImGui::GetIO().WantTextInput || session_.keyboard_in_fields;
+  if (typing && !(down && key.name == "Escape" && !ImGui::GetIO().WantTextInput)) {
     return;
   }
   if (down) {
@@ -457,7 +466,7 @@ void Window::wait() {
 
 // Only the window changes the title and full screen.
 void Window::follow_session() {
-  const std::string name = scene_name(session_);
+  const std::string name = (has_unsaved_edits(session_) ? "\u2022 " : "") + scene_name(session_);
   glfwSetWindowTitle(window_, name.empty() ? "scenefile" : (name + " - scenefile").c_str());
   if (session_.full_screen == full_screen_) {
     return;
@@ -487,6 +496,9 @@ void Window::begin_gui_frame() {
       ImGui_ImplOpenGL3_CreateFontsTexture();
     }
   }
+  int& flags = ImGui::GetIO().ConfigFlags;
+  flags = session_.keyboard_in_fields ? flags | ImGuiConfigFlags_NavEnableKeyboard
+                                      : flags & ~ImGuiConfigFlags_NavEnableKeyboard;
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   if (scripted()) {
@@ -573,8 +585,12 @@ void Window::remember_settings() {
 }
 
 WindowResult Window::run() {
-  while (!session_.quit && glfwWindowShouldClose(window_) == GLFW_FALSE) {
+  while (!session_.quit) {
     wait();
+    if (glfwWindowShouldClose(window_) == GLFW_TRUE) {
+      glfwSetWindowShouldClose(window_, GLFW_FALSE);
+      perform(session_, Action::quit);
+    }
     log_.begin();
     const bool painted = canvas_->take(session_);
     const bool refine = frames_due_ == 0 && !canvas_->busy() && !canvas_->settled(session_);

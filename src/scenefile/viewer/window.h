@@ -24,10 +24,12 @@ struct WindowResult {
 };
 
 struct WindowOptions {
-  SessionSetup setup;     ///< `wake` is set by the window
-  std::string scene;      ///< a file, a folder, - for standard input; empty: a panel to choose one
-  std::string reference;  ///< a picture to compare with; empty: none
-  std::string settings;   ///< path of the settings file; empty: settings are not kept
+  SessionSetup setup;  ///< `wake` is set by the window
+  /// A file, a folder, - for standard input; empty: a panel to choose one; a file that does not
+  /// exist: a new scene.
+  std::string scene;
+  std::string reference;            ///< a picture to compare with; empty: none
+  std::string settings;             ///< path of the settings file; empty: settings are not kept
   std::optional<glm::ivec2> size;   ///< of the window; default: as remembered
   std::optional<bool> ray_tracing;  ///< at the start; default: as remembered
   Script script;                    ///< runs instead of user input; then the window closes

@@ -24,7 +24,7 @@ in vec3 mesh_normal;
 in vec2 mesh_uv;
 flat in vec3 eye_object;
 flat in mat3 world_from_normal;
-flat in vec4 identity;
+flat in vec3 identity;
 
 layout(location = 0) out vec4 color;
 
@@ -65,10 +65,10 @@ Point find_point() {
   float c = p.x * p.x + p.z * p.z + (quadric.x * p.y + quadric.y) * p.y + quadric.z;
   float root = b + (b < 0.0 ? -1.0 : 1.0) * sqrt(max(b * b - a * c, 0.0));
   float t = abs(root) > 1e-20 ? -c / root : 0.0;
-  t *= identity.w;
+  t *= identity.z;
   point.object = p + t * way;
   point.world += t * from_eye;
-  if (identity.w > 0.5) {
+  if (identity.z > 0.5) {
     point.normal = vec3(point.object.x, quadric.x * point.object.y + 0.5 * quadric.y, point.object.z);
   }
   return point;
@@ -76,7 +76,7 @@ Point find_point() {
 
 #if defined(TEXTURED) || defined(BUMPED) || MODE == UV
 vec2 find_uv(Point point) {
-  if (identity.w < 0.5) {
+  if (identity.z < 0.5) {
     return quadric.z < 0.0 ? clamp(mesh_uv, 0.0, 1.0) : mesh_uv;
   }
   vec3 p = point.object;
@@ -89,7 +89,7 @@ vec2 find_uv(Point point) {
 #if defined(TEXTURED) || defined(BUMPED)
 // The change of uv for a step on the surface.
 vec2 uv_step(Point point, vec3 step, vec2 mesh_step) {
-  if (identity.w < 0.5) {
+  if (identity.z < 0.5) {
     return mesh_step;
   }
   vec3 p = point.object;
@@ -332,15 +332,14 @@ void main() {
 #elif MODE == DEPTH
   vec3 result = vec3(1.0 - clamp(dot(depth_axis, vec4(point.world, 1.0)), 0.0, 1.0));
 #elif MODE == OBJECT_COLOR
-  vec3 result = number_color(identity.z);
+  vec3 result = number_color(identity.y);
 #elif MODE == OBJECT_NUMBER
-  int number = int(identity.z) + 1;
+  int number = int(identity.y) + 1;
   vec3 result = vec3(number & 255, (number >> 8) & 255, number >> 16) / 255.0;
 #elif MODE == BOX
   vec3 result = vec3(0.08, 0.05, 0.03);
 #endif
 #if MODE != OBJECT_NUMBER
-  result = mix(result, vec3(1.0, 0.6, 0.1), identity.y);
 #endif
   // GPUs round to 8 bits, but the course's pictures are truncated.
   color = vec4(result - truncation, 1.0);

@@ -6,7 +6,7 @@ layout(location = 2) in vec2 texture_uv;
 layout(location = 3) in vec4 row_x;  // world_from_object, row by row
 layout(location = 4) in vec4 row_y;
 layout(location = 5) in vec4 row_z;
-layout(location = 6) in vec4 object;  // material, tint, number of the object
+layout(location = 6) in vec4 object;  // material, number of the object
 
 uniform mat4 clip_from_world;
 
@@ -20,7 +20,7 @@ out vec3 mesh_normal;
 out vec2 mesh_uv;
 flat out vec3 eye_object;           // the eye in object space
 flat out mat3 world_from_normal;    // inverse transpose, not normalized
-flat out vec4 identity;             // object, with round in the last place
+flat out vec3 identity;             // material, number of the object, round
 #endif
 
 void main() {
@@ -42,6 +42,6 @@ void main() {
   mesh_uv = texture_uv;
   eye_object = -(offset * cofactors) / determinant;
   world_from_normal = determinant < 0.0 ? -cofactors : cofactors;
-  identity = vec4(object.xyz, normal_round.w);
+  identity = vec3(object.xy, normal_round.w);
 #endif
 }

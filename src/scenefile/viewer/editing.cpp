@@ -1,0 +1,421 @@
+#include "scenefile/viewer/editing.h"
+
+#include "scenefile/base/text.h"
+#include "scenefile/format/recognize.h"
+#include "scenefile/format/write_scene.h"
+#include "scenefile/io/file.h"
+#include "scenefile/io/folder.h"
+#include "scenefile/viewer/session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace scenefile::viewer {
+
+void load_edited_text(Session& session);  // session_files.cpp
+
+namespace {
+
+constexpr std::string_view first_scene = R"(<scenefile>
+  <globaldata>
+    <ambientcoeff v="0.5"/>
+    <diffusecoeff v="0.5"/>
+    <specularcoeff v="0.5"/>
+  </globaldata>
+
+  <cameradata>
+    <pos x="3" y="2" z="5"/>
+    <focus x="0" y="0" z="0"/>
+    <up x="0" y="1" z="0"/>
+    <heightangle v="30"/>
+  </cameradata>
+
+  <lightdata>
+    <id v="0"/>
+    <color r="1" g="1" b="1"/>
+    <position x="3" y="5" z="4"/>
+  </lightdata>
+
+  <object type="tree" name="root">
+    <transblock>
+      <object type="primitive" name="cube">
+        <ambient r="0.2" g="0.3" b="0.4"/>
+        <diffuse r="0.4" g="0.6" b="0.8"/>
+      </object>
+    </transblock>
+  </object>
+</scenefile>
+)";
+
+std::string text_of_new_scene(const std::string& path) {
+  if (!path.ends_with(".json")) {
+    return std::string(first_scene);
+  }
+  Diagnostics none;
+  return write_scene(read_scene(first_scene, {}, none), SceneFormat::json, {}, none);
+}
+
+void set_text(Session& session, std::string text) {
+  session.editing.text = std::move(text);
+  ++session.editing.version;
+  load_edited_text(session);
+}
+
+// Where the selection is after an edit.
+void follow(std::optional<EditedPart>& part, const Edit& edit) {
+  if (edit.select) {
+    part = {ItemKind::group, *edit.select};
+  } else if (part) {
+    part->from = moved(part->from, edit);
+  }
+}
+
+// Makes an edit, and returns the step that it is.
+EditStep made(Session& session, const Edit& edit) {
+  Editing& editing = session.editing;
+  EditStep step{edit, inverse(editing.text, edit)};
+  follow(editing.part, edit);
+  set_text(session, applied(editing.text, edit));
+  return step;
+}
+
+bool has_own_item(ItemKind kind) {
+  return kind == ItemKind::globals || kind == ItemKind::camera;
+}
+
+ItemId item_of_kind(const Document& document, ItemKind kind) {
+  const auto items = document.items();
+  const auto found = std::find_if(items.begin(), items.end(),
+                                  [&](const SceneItem& item) { return item.kind == kind; });
+  return found == items.end() ? no_item : static_cast<ItemId>(found - items.begin());
+}
+
+std::optional<ItemId> item_of_part(const Document& document, const EditedPart& part) {
+  if (has_own_item(part.kind)) {
+    return item_of_kind(document, part.kind);
+  }
+  std::optional<ItemId> item = document.item_at(part.from);
+  while (item && document[*item].range.from != part.from) {
+    const ItemId parent = document[*item].parent;
+    item = parent == no_item ? std::nullopt : std::optional(parent);
+  }
+  return item;
+}
+
+EditedPart part_of(const Document& document, ItemId item) {
+  return {document[item].kind, document[item].range.from};
+}
+
+// The document must be of the text on show.
+std::optional<ItemId> item_of_row(const Document& document, const OutlineRow& row) {
+  switch (row.kind) {
+    case RowKind::globals:
+      return item_of_kind(document, ItemKind::globals);
+    case RowKind::camera:
+      return item_of_kind(document, ItemKind::camera);
+    default:
+      return row.location.known() ? document.item_of(row.location) : std::nullopt;
+  }
+}
+
+std::string file_text(const Session& session, const std::string& path) {
+  const Result<std::string> text = read_file(path, session.setup.read.limits.file_bytes);
+  return text ? *text : "";
+}
+
+// Returns false if it fails.
+bool write_text(Session& session, const std::string& path) {
+  if (const Result<void> written = write_file(path, session.editing.text); !written) {
+    say(session, "cannot save the scene: " + written.error().text, true);
+    return false;
+  }
+  session.editing.saved = session.editing.text;
+  session.editing.new_file = false;
+  say(session, "saved: " + escaped(path));
+  return true;
+}
+
+// Why a scene should not be saved at this path; empty: it can be.
+std::string wrong_path(Session& session, const std::string& path) {
+  if (is_folder(path)) {
+    return escaped(path) + " is a folder";
+  }
+  if (!is_scene_name(path)) {
+    return "the name of a scene ends with .xml or .json";
+  }
+  const Document* const document = edited_document(session);
+  if (document != nullptr && document->is_xml() == path.ends_with(".json")) {
+    return fmt::format("this scene is {}; \"scenefile convert\" translates it",
+                       document->is_xml() ? "XML" : "JSON");
+  }
+  return {};
+}
+
+void move_to(Session& session, const std::string& path) {
+  if (write_text(session, path) && session.path != path) {
+    session.path = path;
+    session.start.opening = true;
+    load_edited_text(session);  // its textures and meshes are relative to the new place
+  }
+}
+
+void save_at(Session& session, const std::string& path) {
+  finish_edit(session);
+  if (const std::string wrong = wrong_path(session, path); !wrong.empty()) {
+    say(session, wrong, true);
+    return;
+  }
+  if (stamp_of(path).exists && absolute_path(path) != absolute_path(session.path)) {
+    session.question = Question{
+        fmt::format("{} exists.", escaped(file_name_of(path))),
+        {{"Replace it", [path](Session& s, const auto&) { move_to(s, path); }}, {"Cancel", {}}}};
+    return;
+  }
+  move_to(session, path);
+}
+
+}  // namespace
+
+void forget_edits(Session& session) {
+  const std::uint64_t version = session.editing.version + 1;
+  session.editing = {};
+  session.editing.version = version;
+}
+
+void start_editing(Session& session, std::string text) {
+  Editing& editing = session.editing;
+  if (editing.text != text) {
+    forget_edits(session);
+    editing.text = std::move(text);
+  }
+  editing.saved = editing.text;
+  editing.new_file = false;
+}
+
+bool has_unsaved_edits(const Session& session) {
+  const Editing& editing = session.editing;
+  return editing.new_file || editing.progress ||
+         (!(editing.done.empty() && editing.undone.empty()) && editing.text != editing.saved);
+}
+
+bool shows_edited_text(const Session& session) {
+  return session.shown != nullptr && session.shown->text_version == session.editing.version &&
+         session.shown->opened.path == session.path;
+}
+
+const Document* edited_document(Session& session) {
+  Editing& editing = session.editing;
+  if (editing.opened != editing.version) {
+    editing.opened = editing.version;
+    Result<Document> document = Document::open(editing.text, session.setup.read);
+    editing.refusal = document ? "" : document.error().text;
+    editing.document = document ? std::optional(*std::move(document)) : std::nullopt;
+  }
+  return editing.document ? &*editing.document : nullptr;
+}
+
+std::optional<ItemId> selected_item(Session& session) {
+  Editing& editing = session.editing;
+  const Document* const document = edited_document(session);
+  if (document == nullptr) {
+    return std::nullopt;
+  }
+  if (!editing.part && session.selected && shows_edited_text(session)) {
+    const std::optional<ItemId> item =
+        item_of_row(*document, session.shown->outline.rows[*session.selected]);
+    editing.part = item ? std::optional(part_of(*document, *item)) : std::nullopt;
+  }
+  return editing.part ? item_of_part(*document, *editing.part) : std::nullopt;
+}
+
+std::optional<std::uint32_t> row_of_selected_item(Session& session) {
+  const std::optional<ItemId> item = selected_item(session);
+  if (!item || !shows_edited_text(session)) {
+    return std::nullopt;
+  }
+  const Document& document = *session.editing.document;
+  const std::vector<OutlineRow>& rows = session.shown->outline.rows;
+  // Most rows can be told by their line.
+  const auto line_at = [&](std::uint32_t offset) {
+    return 1 + std::count(document.text().begin(), document.text().begin() + offset, '\n');
+  };
+  const TextRange range = document[*item].range;
+  const bool written = document[*item].written;
+  const auto first = written ? line_at(range.from) : 0;
+  const auto last = written ? line_at(range.to) : 0;
+  const auto is_its = [&](const OutlineRow& row) {
+    const bool near =
+        !row.location.known() || (row.location.line >= first && row.location.line <= last);
+    return near && item_of_row(document, row) == item;
+  };
+  if (session.selected && is_its(rows[*session.selected])) {
+    return session.selected;
+  }
+  const auto found = std::find_if(rows.begin(), rows.end(), is_its);
+  return found == rows.end() ? std::nullopt
+                             : std::optional(static_cast<std::uint32_t>(found - rows.begin()));
+}
+
+void make_edit(Session& session, const Result<Edit>& edit) {
+  finish_edit(session);
+  if (!edit) {
+    say(session, edit.error().text, true);
+  } else if (!edit->changes.empty()) {
+    session.editing.done.push_back(made(session, *edit));
+    session.editing.undone.clear();
+  }
+}
+
+const EditInProgress* begin_edit(Session& session) {
+  Editing& editing = session.editing;
+  if (!editing.progress) {
+    if (const std::optional<ItemId> item = selected_item(session)) {
+      editing.progress = EditInProgress{*editing.document, *item, editing.part};
+    }
+  }
+  return editing.progress ? &*editing.progress : nullptr;
+}
+
+void continue_edit(Session& session, const Result<Edit>& edit) {
+  Editing& editing = session.editing;
+  if (!edit) {
+    say(session, edit.error().text, true);
+    return;
+  }
+  if (*edit == editing.progress->edit) {
+    return;
+  }
+  editing.progress->edit = *edit;
+  editing.part = editing.progress->part;
+  follow(editing.part, *edit);
+  set_text(session, applied(editing.progress->before.text(), *edit));
+}
+
+void finish_edit(Session& session) {
+  Editing& editing = session.editing;
+  if (editing.progress && !editing.progress->edit.changes.empty()) {
+    const std::string& before = editing.progress->before.text();
+    const Edit& edit = editing.progress->edit;
+    editing.done.push_back({edit, inverse(before, edit)});
+    editing.undone.clear();
+  }
+  editing.progress.reset();
+}
+
+void cancel_edit(Session& session) {
+  if (session.editing.progress) {
+    continue_edit(session, Edit{});
+    session.editing.progress.reset();
+  }
+}
+
+bool undo_edit(Session& session) {
+  finish_edit(session);
+  Editing& editing = session.editing;
+  if (editing.done.empty()) {
+    return false;
+  }
+  EditStep step = std::move(editing.done.back());
+  editing.done.pop_back();
+  made(session, step.back);
+  editing.undone.push_back(std::move(step));
+  return true;
+}
+
+bool redo_edit(Session& session) {
+  finish_edit(session);
+  Editing& editing = session.editing;
+  if (editing.undone.empty()) {
+    return false;
+  }
+  EditStep step = std::move(editing.undone.back());
+  editing.undone.pop_back();
+  made(session, step.made);
+  editing.done.push_back(std::move(step));
+  return true;
+}
+
+void new_scene(Session& session, const std::string& path) {
+  before_losing_edits(session, [path](Session& s) {
+    s.path = path;
+    start_editing(s, text_of_new_scene(path));
+    s.editing.saved.clear();
+    s.editing.new_file = true;
+    s.start.opening = true;
+    load_edited_text(s);
+  });
+}
+
+void save_scene(Session& session) {
+  finish_edit(session);
+  if (session.path == "-") {
+    ask_where_to_save(session);
+    return;
+  }
+  if (!has_unsaved_edits(session)) {
+    say(session, scene_name(session) + " has no unsaved edits");
+    return;
+  }
+  const std::string now = file_text(session, session.path);
+  if (stamp_of(session.path).exists && now != session.editing.saved) {
+    session.question = Question{
+        scene_name(session) + " has been changed by another program.",
+        {{"Replace its changes by mine", [](Session& s, const auto&) { write_text(s, s.path); }},
+         {"Read it, and lose my edits",
+          [now](Session& s, const auto&) {
+            start_editing(s, now);
+            load_edited_text(s);
+          }},
+         {"Cancel", {}}}};
+    return;
+  }
+  write_text(session, session.path);
+}
+
+void ask_where_to_save(Session& session) {
+  session.question =
+      Question{"Save the scene as",
+               {{"Save", [](Session& s, const auto& path) { save_at(s, path); }}, {"Cancel", {}}},
+               session.path == "-" ? "scene.xml" : session.path};
+}
+
+void before_losing_edits(Session& session, std::function<void(Session&)> then) {
+  finish_edit(session);
+  if (!has_unsaved_edits(session)) {
+    then(session);
+    return;
+  }
+  const auto save = [then](Session& s, const std::string&) {
+    save_scene(s);
+    if (!has_unsaved_edits(s)) {
+      then(s);
+    }
+  };
+  const auto lose = [then](Session& s, const std::string&) {
+    forget_edits(s);
+    then(s);
+  };
+  session.question = Question{scene_name(session) + " has edits that are not saved.",
+                              {{"Save them", save}, {"Lose them", lose}, {"Cancel", {}}}};
+}
+
+void ask_about_changed_file(Session& session, std::string text) {
+  const auto read = [text](Session& s, const std::string&) {
+    start_editing(s, text);
+    load_edited_text(s);
+  };
+  const auto keep = [text](Session& s, const std::string&) { s.editing.saved = text; };
+  session.question = Question{scene_name(session) + " has been changed by another program.",
+                              {{"Read it, and lose my edits", read}, {"Keep my edits", keep}}};
+}
+
+void answer_question(Session& session, std::size_t answer) {
+  const Question question = *std::exchange(session.question, std::nullopt);
+  if (answer < question.answers.size() && question.answers[answer].act) {
+    question.answers[answer].act(session, question.path.value_or(""));
+  }
+}
+
+}  // namespace scenefile::viewer

@@ -1,0 +1,120 @@
+#pragma once
+// Editing the scene: its text in memory, what undoes and redoes each edit, and what the file
+// contains. Every edit (edit/edits.h) is one change of the text; the window reads the scene again
+// from the text, as if it had been saved.
+
+#include "scenefile/edit/edits.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace scenefile::viewer {
+
+struct Session;
+
+/// An edit that was made, and the one that takes it back.
+struct EditStep {
+  Edit made;
+  Edit back;
+};
+
+/// The selected part of the scene: where it starts in the text. Global data and a camera that the
+/// file lacks have only a kind.
+struct EditedPart {
+  ItemKind kind = ItemKind::group;  ///< only looked at for global data and the camera
+  std::uint32_t from = 0;
+};
+
+/// An edit that is not finished, such as dragging a slider: each new value replaces the last one,
+/// and all together are one step.
+struct EditInProgress {
+  Document before;
+  ItemId item = no_item;  ///< the selected one, of `before`
+  std::optional<EditedPart> part{};
+  Edit edit{};  ///< so far; of `before`
+};
+
+struct Editing {
+  std::string text;           ///< as edited
+  std::string saved;          ///< the contents of the file, as last read or written
+  bool new_file = false;      ///< nothing has been read or written yet
+  std::uint64_t version = 0;  ///< changes with `text`; SceneOnShow::text_version says what is shown
+  std::vector<EditStep> done;
+  std::vector<EditStep> undone;  ///< the one to be made again next is the last
+  std::optional<EditInProgress> progress;
+  std::optional<EditedPart> part;  ///< the selection; empty: none, or not known yet
+  // Cached: the document of the text, once someone asks for it.
+  std::optional<Document> document;
+  std::string refusal;       ///< why there is none
+  std::uint64_t opened = 0;  ///< the version of the text that they are of
+};
+
+/// Something to decide before anything else is done. The last answer changes nothing: Escape.
+struct Question {
+  struct Answer {
+    std::string label;
+    /// Empty: nothing happens. `path`: the one that was asked for.
+    std::function<void(Session&, const std::string& path)> act;
+  };
+  std::string text;
+  std::vector<Answer> answers;
+  std::optional<std::string> path{};  ///< asks for a path, with this proposal
+};
+
+// Text.
+
+/// Takes over the text of a file; forgets all edits if it differs from the current text.
+void start_editing(Session& session, std::string text);
+/// Forgets the text and all edits.
+void forget_edits(Session& session);
+/// Whether there are edits that have not been saved.
+bool has_unsaved_edits(const Session& session);
+/// Whether the picture and the outline are of the current text.
+bool shows_edited_text(const Session& session);
+
+/// The current text as a document; null if it cannot be edited, for the reason in
+/// Editing::refusal.
+const Document* edited_document(Session& session);
+/// The selected item of edited_document(); nullopt: none.
+std::optional<ItemId> selected_item(Session& session);
+/// The row of the outline for the selected item; nullopt: none.
+std::optional<std::uint32_t> row_of_selected_item(Session& session);
+
+// Edits.
+
+/// Makes an edit of edited_document(), or shows the error.
+void make_edit(Session& session, const Result<Edit>& edit);
+/// Begins an edit of the selected item in several steps, unless there is one in progress. Null if
+/// nothing is selected.
+const EditInProgress* begin_edit(Session& session);
+/// Replaces the edit in progress by this edit of its document `before`.
+void continue_edit(Session& session, const Result<Edit>& edit);
+/// Ends the edit in progress, if there is one: it can be undone from now on.
+void finish_edit(Session& session);
+/// Takes back the edit in progress.
+void cancel_edit(Session& session);
+
+bool undo_edit(Session& session);  ///< false: there is nothing to undo
+bool redo_edit(Session& session);
+
+// Files.
+
+/// Starts a new scene that will be saved at `path`.
+void new_scene(Session& session, const std::string& path);
+/// Saves the text; asks first if the file has been changed by another program.
+void save_scene(Session& session);
+/// Asks for a path, and saves the text there.
+void ask_where_to_save(Session& session);
+/// Does `then` at once if there are no unsaved edits; otherwise asks, and maybe saves.
+void before_losing_edits(Session& session, std::function<void(Session&)> then);
+/// The file was read again, with other contents than were last read or written, while there are
+/// unsaved edits: asks which to keep.
+void ask_about_changed_file(Session& session, std::string text);
+
+/// Gives an answer, by its index, and closes the question.
+void answer_question(Session& session, std::size_t answer);
+
+}  // namespace scenefile::viewer

@@ -1,0 +1,468 @@
+// The fields of the selection, and questions.
+
+#include "scenefile/base/text.h"
+#include "scenefile/viewer/files_to_choose.h"
+#include "scenefile/viewer/gui.h"
+#include "scenefile/viewer/gui_colors.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+namespace scenefile::viewer {
+
+namespace {
+
+using Typed = std::vector<std::optional<std::string>>;
+
+double value_of(const FieldPart& part) {
+  return std::strtod(part.value.c_str(), nullptr);
+}
+
+std::string typed_number(double value) {
+  return fmt::format("{:.6g}", value);
+}
+
+// How much a number changes per pixel that it is dragged.
+float drag_speed(const FieldPart& part, double value) {
+  if (std::isfinite(part.range.low) && std::isfinite(part.range.high) && part.range.high <= 360) {
+    return static_cast<float>((part.range.high - part.range.low) / 400);
+  }
+  return static_cast<float>(std::max(0.01, std::abs(value) / 200));
+}
+
+/// The widgets of one field. An edit of the selected item begins with the first change and ends
+/// when no widget is active.
+class FieldRow {
+ public:
+  FieldRow(Session& session, const FieldView& field, std::size_t index)
+      : session_(session), field_(field), index_(index) {}
+
+  void build() {
+    ImGui::PushID(static_cast<int>(index_));
+    ImGui::AlignTextToFramePadding();
+    const float label = std::floor(0.36F * ImGui::GetContentRegionAvail().x);
+    const std::string title = fitting(std::string(field_.title), label - 4);
+    if (field_.effective) {
+      ImGui::TextUnformatted(title.c_str());
+    } else {
+      ImGui::TextDisabled("%s", title.c_str());
+    }
+    if (ImGui::IsItemHovered()) {
+      ImGui::SetTooltip("%s (%s)%s", std::string(field_.title).c_str(),
+                        std::string(field_.name).c_str(),
+                        field_.effective ? "" : ": has no effect on this type of light");
+    }
+    ImGui::SameLine(label);
+    const float cross = field_.needed ? 0 : ImGui::GetFrameHeight();
+    width_ = ImGui::GetContentRegionAvail().x - cross - (cross > 0 ? 4 : 0);
+    build_value();
+    if (!field_.needed) {
+      ImGui::SameLine(0, 4);
+      build_remove();
+    }
+    ImGui::PopID();
+  }
+
+ private:
+  void build_value() {
+    switch (field_.kind) {
+      case FieldKind::color:
+        build_color();
+        break;
+      case FieldKind::choice:
+        build_choice();
+        break;
+      case FieldKind::text:
+      case FieldKind::id:
+        build_text(0, width_);
+        break;
+      case FieldKind::file:
+        build_file(width_);
+        break;
+      case FieldKind::image:
+        build_file(width_);
+        build_numbers(1, 2);
+        break;
+      case FieldKind::matrix:
+        for (std::size_t row = 0; row < 4; ++row) {
+          build_numbers(4 * row, 4);
+        }
+        break;
+      case FieldKind::number:
+      case FieldKind::vector:
+      case FieldKind::coefficients:
+      case FieldKind::rotation:
+        build_numbers(0, field_.parts.size());
+        break;
+    }
+  }
+
+  // Sets some parts of the field, as part of an edit in several steps.
+  void change(const Typed& typed) {
+    const EditInProgress* const edit = begin_edit(session_);
+    if (edit == nullptr) {
+      return;
+    }
+    const std::vector<FieldView> fields = edit->before.fields(edit->item);
+    if (index_ < fields.size()) {
+      continue_edit(session_, set_values(edit->before, edit->item, fields[index_], typed));
+    }
+  }
+
+  Typed only(std::size_t part, std::string value) const {
+    Typed typed(field_.parts.size());
+    typed[part] = std::move(value);
+    return typed;
+  }
+
+  // Parts [first, first + count), side by side.
+  void build_numbers(std::size_t first, std::size_t count) {
+    const auto parts = static_cast<float>(count);
+    const float each = std::floor((width_ - 3 * (parts - 1)) / parts);
+    const float left = ImGui::GetCursorPosX();
+    for (std::size_t i = first; i < std::min(first + count, field_.parts.size()); ++i) {
+      const FieldPart& part = field_.parts[i];
+      double value = value_of(part);
+      ImGui::PushID(static_cast<int>(i));
+      ImGui::SetNextItemWidth(each);
+      const double low = std::isfinite(part.range.low) ? part.range.low : -1e30;
+      const double high = std::isfinite(part.range.high) ? part.range.high : 1e30;
+      if (ImGui::DragScalar("##number", ImGuiDataType_Double, &value, drag_speed(part, value), &low,
+                            &high, count > 3 ? "%.3g" : "%.5g")) {
+        change(only(i, typed_number(value)));
+      }
+      if (ImGui::IsItemHovered() && field_.parts.size() > 1) {
+        ImGui::SetTooltip("%s: %s", std::string(part.name).c_str(), escaped(part.value).c_str());
+      }
+      ImGui::PopID();
+      if (i + 1 < first + count) {
+        ImGui::SameLine(0, 3);
+      }
+    }
+    if (first + count < field_.parts.size()) {
+      ImGui::Dummy({0, 0});
+      ImGui::SameLine(left);
+    }
+  }
+
+  void build_color() {
+    std::array<float, 3> color{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      color[i] = static_cast<float>(value_of(field_.parts[i]));
+    }
+    ImGui::SetNextItemWidth(width_);
+    if (ImGui::ColorEdit3(
+            "##color", color.data(),
+            ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoOptions)) {
+      Typed typed(3);  // the other channels keep their spelling
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (color[i] != static_cast<float>(value_of(field_.parts[i]))) {
+          typed[i] = fmt::format("{:.4g}", std::max(color[i], 0.0F));
+        }
+      }
+      change(typed);
+    }
+  }
+
+  void build_choice() {
+    const std::string& now = field_.parts.front().value;
+    ImGui::SetNextItemWidth(width_);
+    if (ImGui::BeginCombo("##choice", escaped(now, 60).c_str())) {
+      for (const std::string& choice : field_.choices) {
+        if (ImGui::Selectable(escaped(choice, 60).c_str(), choice == now)) {
+          change(only(0, choice));
+        }
+      }
+      ImGui::EndCombo();
+    }
+  }
+
+  void build_text(std::size_t part, float width) {
+    std::array<char, 1024> text{};
+    field_.parts[part].value.copy(text.data(), text.size() - 1);
+    ImGui::SetNextItemWidth(width);
+    ImGui::InputText("##text", text.data(), text.size());
+    if (ImGui::IsItemDeactivatedAfterEdit() && field_.parts[part].value != text.data()) {
+      change(only(part, text.data()));
+    }
+  }
+
+  void build_file(float width) {
+    const float button = ImGui::GetFrameHeight();
+    build_text(0, width - button - 3);
+    ImGui::SameLine(0, 3);
+    if (ImGui::Button("...", {button, 0})) {
+      ImGui::OpenPopup("files");
+    }
+    if (ImGui::IsItemHovered()) {
+      ImGui::SetTooltip("%s", "choose a file of the scene's folder");
+    }
+    if (!ImGui::BeginPopup("files")) {
+      return;
+    }
+    const bool mesh = field_.name == "filename" || field_.name == "meshFile";
+    const std::vector<std::string> files =
+        files_to_choose(session_.path, mesh ? FileUse::mesh : FileUse::image);
+    if (files.empty()) {
+      ImGui::TextDisabled("%s", "there are none in the scene's folder");
+    }
+    for (const std::string& file : files) {
+      if (ImGui::Selectable(escaped(file, 200).c_str(), file == field_.parts.front().value)) {
+        change(only(0, file));
+      }
+    }
+    ImGui::EndPopup();
+  }
+
+  void build_remove() {
+    const float size = ImGui::GetFrameHeight();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    if (ImGui::InvisibleButton("remove", {size, size})) {
+      if (const std::optional<ItemId> item = selected_item(session_)) {
+        make_edit(session_, remove_value(*session_.editing.document, *item, field_));
+      }
+    }
+    const bool over = ImGui::IsItemHovered();
+    if (over) {
+      ImGui::SetTooltip("%s", "remove it from the file");
+    }
+    const float r = size * 0.16F;
+    const ImVec2 c{at.x + size / 2, at.y + size / 2};
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const ImU32 color = rgba(over || ImGui::IsItemFocused() ? color_text : color_dim);
+    draw.AddLine({c.x - r, c.y - r}, {c.x + r, c.y + r}, color, 1.5F);
+    draw.AddLine({c.x - r, c.y + r}, {c.x + r, c.y - r}, color, 1.5F);
+  }
+
+  Session& session_;
+  const FieldView& field_;
+  std::size_t index_;
+  float width_ = 0;
+};
+
+std::string title_of(const NewItem& what) {
+  switch (what.kind) {
+    case ItemKind::light:
+      return what.name + " light";
+    case ItemKind::instance:
+      return "copy of " + what.name;
+    case ItemKind::group:
+      return "group";
+    case ItemKind::globals:
+      return "global data";
+    case ItemKind::camera:
+      return "camera";
+    default:
+      return what.name;
+  }
+}
+
+void build_items_to_add(Session& session, const Document& document, std::optional<ItemId> item) {
+  for (const NewItem& what : kinds_to_add(document, item)) {
+    if (ImGui::MenuItem(escaped(title_of(what), 80).c_str())) {
+      make_edit(session, add_item(document, item, what));
+      return;  // the document has changed
+    }
+  }
+}
+
+// Fields that the item can have and the file has not.
+void build_fields_to_add(Session& session, const Document& document, ItemId item,
+                         const std::vector<FieldView>& fields) {
+  for (const FieldView& field : fields) {
+    if (!field.written && !(field.transform && document.is_xml()) &&
+        ImGui::MenuItem(std::string(field.title).c_str())) {
+      std::vector<std::optional<std::string>> start;
+      for (const FieldPart& part : field.parts) {
+        start.emplace_back(part.value);
+      }
+      make_edit(session, set_values(document, item, field, start));
+      return;
+    }
+  }
+  // In XML there may be several.
+  const ItemKind kind = document[item].kind;
+  if (document.is_xml() &&
+      (kind == ItemKind::primitive || kind == ItemKind::instance || kind == ItemKind::group)) {
+    for (const std::string_view word : {"translate", "rotate", "scale"}) {
+      if (ImGui::MenuItem(std::string(word).c_str())) {
+        make_edit(session, add_transform(document, item, word));
+        return;
+      }
+    }
+  }
+}
+
+void build_add(Session& session, const Document& document, std::optional<ItemId> item,
+               const std::vector<FieldView>& fields) {
+  if (ImGui::Button("Add...")) {
+    ImGui::OpenPopup("add");
+  }
+  if (!ImGui::BeginPopup("add")) {
+    return;
+  }
+  if (item && ImGui::BeginMenu("to this")) {
+    build_fields_to_add(session, document, *item, fields);
+    ImGui::EndMenu();
+  }
+  build_items_to_add(session, document, item);
+  ImGui::EndPopup();
+}
+
+void build_button(Session& session, const char* label, Action action) {
+  ImGui::SameLine(0, 4);
+  if (ImGui::Button(label)) {
+    perform(session, action);
+  }
+  if (ImGui::IsItemHovered()) {
+    const ActionRow& row = row_of(action);
+    ImGui::SetTooltip("%s (%s)", std::string(row.what).c_str(), std::string(row.key).c_str());
+  }
+}
+
+// The switch of a light.
+void build_light_switch(Session& session, std::uint32_t source) {
+  const RenderScene& scene = session.shown->opened.ready.scene;
+  const auto found = std::find_if(scene.lights.begin(), scene.lights.end(),
+                                  [&](const RenderLight& l) { return l.source == source; });
+  if (found == scene.lights.end()) {
+    return;
+  }
+  const auto index = static_cast<std::uint32_t>(found - scene.lights.begin());
+  bool alone = session.only_light == index;
+  if (ImGui::Checkbox("only this light", &alone)) {
+    show_only_light(session, alone ? std::optional(index) : std::nullopt);
+  }
+}
+
+// What the handles in the picture do.
+void build_handle_choice(Session& session) {
+  static constexpr std::array<const char*, 4> names{"Move", "Turn", "Scale", "None"};
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("%s", "Handles");
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const bool now = session.handles == static_cast<Handles>(i);
+    ImGui::SameLine(0, i == 0 ? 10 : 4);
+    ImGui::PushStyleColor(ImGuiCol_Button, rgba(now ? color_accent : color_field, now ? 120 : 255));
+    if (ImGui::Button(names[i])) {
+      session.handles = static_cast<Handles>(i);
+    }
+    ImGui::PopStyleColor();
+  }
+}
+
+void build_name(const Session& session, const OutlineRow& row) {
+  ImGui::TextUnformatted(escaped(row.label, 60).c_str());
+  if (row.location.known()) {
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s:%u:%u", escaped(shown_name(session), 60).c_str(), row.location.line,
+                        row.location.column);
+  }
+  if (!session.selected_path.empty()) {
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextDisabled("%s", escaped(session.selected_path, 300).c_str());
+    ImGui::PopTextWrapPos();
+  }
+}
+
+// Ends an edit in several steps once the widget that made it is released.
+void end_field_edit(Session& session) {
+  if (session.editing.progress && !ImGui::IsAnyItemActive() &&
+      session.pointer.drag != Drag::handle) {
+    finish_edit(session);
+  }
+}
+
+}  // namespace
+
+void build_object(Session& session, const GuiFrame& /*frame*/) {
+  const OutlineRow row = session.shown->outline.rows[*session.selected];
+  build_name(session, row);
+  const std::optional<ItemId> item = selected_item(session);
+  if (!session.editing.refusal.empty()) {
+    ImGui::TextWrapped("%s", escaped("cannot be edited: " + session.editing.refusal, 300).c_str());
+    return;
+  }
+  if (!session.editing.document) {
+    return;
+  }
+  const Document document = *session.editing.document;  // edits replace it
+  const std::vector<FieldView> fields = item ? document.fields(*item) : std::vector<FieldView>();
+  build_add(session, document, item, fields);
+  if (row.kind == RowKind::camera) {
+    build_button(session, "Use this view", Action::use_view);
+  } else if (item && document[*item].kind != ItemKind::globals &&
+             document[*item].kind != ItemKind::root) {
+    build_button(session, "Duplicate", Action::duplicate);
+    build_button(session, "Group", Action::wrap);
+    build_button(session, "Delete", Action::remove);
+  }
+  build_handle_choice(session);
+  if (row.kind == RowKind::light) {
+    build_light_switch(session, row.source);
+  }
+  ImGui::Spacing();
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (fields[i].written) {
+      FieldRow(session, fields[i], i).build();
+    }
+  }
+  end_field_edit(session);
+}
+
+void build_question(Session& session, const GuiFrame& frame) {
+  const Question question = *session.question;
+  const ImVec2 middle = ImGui::GetMainViewport()->GetCenter();
+  ImGui::OpenPopup("##question");
+  ImGui::SetNextWindowPos(middle, ImGuiCond_Always, {0.5F, 0.5F});
+  ImGui::SetNextWindowSize(vec({460 * frame.scale, 0}));
+  if (!ImGui::BeginPopupModal("##question", nullptr,
+                              ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                  ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
+    return;
+  }
+  ImGui::TextWrapped("%s", escaped(question.text, 300).c_str());
+  ImGui::Spacing();
+  std::optional<std::size_t> answer;
+  if (question.path) {
+    std::array<char, 4096> path{};
+    question.path->copy(path.data(), path.size() - 1);
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::IsWindowAppearing()) {
+      ImGui::SetKeyboardFocusHere();
+    }
+    if (ImGui::InputText("##path", path.data(), path.size(),
+                         ImGuiInputTextFlags_EnterReturnsTrue)) {
+      answer = 0;
+    }
+    session.question->path = path.data();
+    ImGui::Spacing();
+  }
+  for (std::size_t i = 0; i < question.answers.size(); ++i) {
+    const bool last = i + 1 == question.answers.size();
+    const std::string key = question.path ? (last ? "Esc" : "Enter")
+                            : last        ? fmt::format("{}, Esc", i + 1)
+                                          : fmt::format("{}", i + 1);
+    if (ImGui::Button(fmt::format("{}  ({})", question.answers[i].label, key).c_str())) {
+      answer = i;
+    }
+    if (question.path && !last) {
+      ImGui::SameLine();  // other answers are sentences, one below the other
+    }
+  }
+  if (answer) {
+    answer_question(session, *answer);
+  }
+  if (!session.question) {
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
+}  // namespace scenefile::viewer

@@ -1,0 +1,387 @@
+// Edits in the window: each is one change of the text, is undone and redone, and is saved only when
+// asked; nothing is lost without a question.
+
+#include "scenefile/viewer/editing.h"
+
+#include "viewer/session_fixture.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace scenefile::viewer {
+
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+struct EditingTest : testing::SessionFixture {
+  EditingTest() {
+    session.settings.ray_tracing = false;
+    settle();
+  }
+
+  void select_label(const std::string& label) {
+    const std::vector<OutlineRow>& rows = session.shown->outline.rows;
+    for (std::uint32_t row = 0; row < rows.size(); ++row) {
+      if (rows[row].label == label) {
+        select(session, row);
+        return;
+      }
+    }
+    FAIL() << label;
+  }
+  static FieldView field(const Document& document, ItemId item, std::string_view name) {
+    for (const FieldView& view : document.fields(item)) {
+      if (view.name == name) {
+        return view;
+      }
+    }
+    ADD_FAILURE() << name;
+    return {};
+  }
+  FieldView field(std::string_view name) {
+    const std::optional<ItemId> item = selected_item(session);
+    EXPECT_TRUE(item.has_value()) << name;
+    return field(*session.editing.document, item.value_or(0), name);
+  }
+  // As the panel's widgets do it.
+  void drag_value(std::string_view name, std::size_t part, const std::string& value) {
+    const EditInProgress* const edit = begin_edit(session);
+    ASSERT_NE(edit, nullptr);
+    const FieldView view = field(edit->before, edit->item, name);
+    continue_edit(session, set_value(edit->before, edit->item, view, part, value));
+  }
+  const std::string& text() const { return session.editing.text; }
+  std::string file() const { return folder.read("a.xml"); }
+  std::size_t shapes() const { return session.shown->opened.ready.sources.size(); }
+  void answer(const std::string& label) {
+    ASSERT_TRUE(session.question.has_value());
+    for (std::size_t i = 0; i < session.question->answers.size(); ++i) {
+      if (session.question->answers[i].label.starts_with(label)) {
+        answer_question(session, i);
+        return;
+      }
+    }
+    FAIL() << label;
+  }
+  // Hold the handle where it is nearest to `share` of its line, and drag it.
+  void drag_line(int number, double share, const glm::dvec2& by) {
+    const std::optional<HandleSet> set = handles_of(session);
+    ASSERT_TRUE(set.has_value());
+    for (const HandleLine& line : handle_lines(session, *set, 1)) {
+      if (line.number == number) {
+        const auto last = static_cast<double>(line.points.size() - 1);
+        const glm::dvec2 from = line.points.size() == 2
+                                    ? glm::mix(line.points[0], line.points[1], share)
+                                    : line.points[static_cast<std::size_t>(share * last)];
+        pointer_moved(session, from);
+        pointer_pressed(session, 0, {});
+        ASSERT_EQ(session.pointer.drag, Drag::handle);
+        for (int i = 1; i <= 8; ++i) {
+          pointer_moved(session, from + by * (i / 8.0));
+          settle();
+        }
+        pointer_released(session);
+        settle();
+        return;
+      }
+    }
+    FAIL() << "no handle " << number;
+  }
+};
+
+TEST_F(EditingTest, ADragIsOneStepAndShownAtOnce) {
+  select_label("sphere");
+  for (const char* const value : {"0.9", "0.5", "0.25"}) {
+    drag_value("diffuse", 0, value);
+    settle();
+  }
+  finish_edit(session);
+  EXPECT_THAT(text(), HasSubstr(R"(<diffuse r="0.25" g="0" b="0"/>)"));
+  EXPECT_NEAR(scene().materials[0].diffuse.r, 0.25, 1e-6);
+  EXPECT_EQ(file(), testing::scene_text) << "not saved";
+  EXPECT_TRUE(has_unsaved_edits(session));
+  EXPECT_EQ(selected(), "sphere");
+  perform(session, Action::undo);
+  settle();
+  EXPECT_EQ(text(), testing::scene_text);
+  EXPECT_FALSE(has_unsaved_edits(session));
+  EXPECT_NEAR(scene().materials[0].diffuse.r, 1, 1e-6);
+  perform(session, Action::redo);
+  EXPECT_THAT(text(), HasSubstr(R"(r="0.25")"));
+  perform(session, Action::redo);
+  EXPECT_THAT(session.notice->text, HasSubstr("nothing to redo"));
+}
+
+TEST_F(EditingTest, EscapeTakesBackADrag) {
+  select_label("cube");
+  drag_value("diffuse", 2, "0.7");
+  perform(session, Action::escape);
+  EXPECT_EQ(text(), testing::scene_text);
+  EXPECT_TRUE(session.editing.done.empty());
+  EXPECT_EQ(selected(), "cube");
+}
+
+TEST_F(EditingTest, TheSelectionFollowsTheEdit) {
+  const std::size_t before = shapes();
+  select_label("sphere");
+  perform(session, Action::duplicate);
+  settle();
+  EXPECT_EQ(shapes(), before + 1);
+  EXPECT_EQ(selected(), "group") << "the copy's transblock";
+  EXPECT_GT(session.shown->outline.rows[*session.selected].location.line, 17U);
+  perform(session, Action::later);
+  settle();
+  const std::size_t cube = text().find("cube");
+  EXPECT_GT(text().rfind("sphere"), cube) << "the copy is after the cube";
+  perform(session, Action::remove);
+  settle();
+  perform(session, Action::undo);
+  perform(session, Action::undo);
+  perform(session, Action::undo);
+  settle();
+  EXPECT_EQ(text(), testing::scene_text);
+}
+
+TEST_F(EditingTest, WhatCannotBeDoneIsSaid) {
+  perform(session, Action::duplicate);
+  EXPECT_THAT(session.notice->text, HasSubstr("nothing is selected"));
+  select_label("camera");
+  perform(session, Action::remove);
+  EXPECT_TRUE(session.notice->bad);
+  EXPECT_EQ(text(), testing::scene_text);
+  perform(session, Action::undo);
+  EXPECT_THAT(session.notice->text, HasSubstr("nothing to undo"));
+}
+
+TEST_F(EditingTest, GlobalDataAndAnUnwrittenCameraHaveFields) {
+  select_label("global data");
+  drag_value("ambientcoeff", 0, "0.3");
+  finish_edit(session);
+  settle();
+  EXPECT_NEAR(scene().global.ambient, 0.3, 1e-6);
+  const std::size_t from = text().find("<cameradata>");
+  const std::size_t to = text().find("<lightdata>");
+  folder.write("b.xml", text().substr(0, from) + text().substr(to));
+  session.editing.saved = session.editing.text;  // as if it had been saved
+  open_scene(session, folder.path("b.xml"));
+  settle();
+  select_label("camera");
+  EXPECT_FALSE(field("pos").written);
+}
+
+TEST_F(EditingTest, TheViewBecomesTheCamera) {
+  perform(session, Action::use_view);
+  EXPECT_THAT(session.notice->text, HasSubstr("already"));
+  wheel_turned(session, 2);
+  const double z = session.camera.position.z;
+  perform(session, Action::use_view);
+  settle();
+  EXPECT_NEAR(session.shown->camera.position.z, z, 1e-5);
+  EXPECT_THAT(text(), HasSubstr("<!-- in front -->"));
+  EXPECT_EQ(session.camera, session.home);
+  perform(session, Action::save);
+  EXPECT_EQ(file(), text());
+  EXPECT_FALSE(has_unsaved_edits(session));
+  settle();
+  EXPECT_FALSE(session.question.has_value()) << "the window's own change of the file";
+  perform(session, Action::undo);
+  settle();
+  EXPECT_TRUE(has_unsaved_edits(session)) << "the file has the new camera";
+  EXPECT_EQ(text(), testing::scene_text);
+}
+
+TEST_F(EditingTest, AFileThatChangedIsNotOverwrittenWithoutAQuestion) {
+  select_label("sphere");
+  drag_value("diffuse", 0, "0.5");
+  finish_edit(session);
+  folder.write("a.xml", testing::scene_text + "<!-- an hour of work -->");
+  perform(session, Action::save);
+  ASSERT_TRUE(session.question.has_value());
+  perform(session, Action::escape);
+  EXPECT_FALSE(session.question.has_value());
+  EXPECT_THAT(file(), HasSubstr("an hour of work"));
+  settle();
+  ASSERT_TRUE(session.question.has_value()) << "the change was seen";
+  answer("Keep my edits");
+  perform(session, Action::save);
+  EXPECT_THAT(file(), HasSubstr(R"(r="0.5")"));
+  EXPECT_THAT(file(), Not(HasSubstr("an hour of work")));
+}
+
+TEST_F(EditingTest, AChangedFileReplacesTheEditsIfWanted) {
+  select_label("sphere");
+  drag_value("diffuse", 0, "0.5");
+  finish_edit(session);
+  settle();
+  folder.write("a.xml", testing::scene_text + "<!-- an hour of work -->");
+  settle();
+  answer("Read it");
+  settle();
+  EXPECT_EQ(text(), file());
+  EXPECT_FALSE(has_unsaved_edits(session));
+  EXPECT_NEAR(scene().materials[0].diffuse.r, 1, 1e-6);
+}
+
+TEST_F(EditingTest, NothingIsLostWithoutAQuestion) {
+  const std::string other = folder.write("b.xml", testing::scene_text);
+  select_label("sphere");
+  drag_value("diffuse", 0, "0.5");
+  open_scene(session, other);
+  ASSERT_TRUE(session.question.has_value());
+  EXPECT_EQ(session.path, path);
+  EXPECT_TRUE(key_pressed(session, {"R"})) << "keys belong to the question";
+  EXPECT_FALSE(session.settings.ray_tracing);
+  key_pressed(session, {"Escape"});
+  EXPECT_EQ(session.path, path);
+  perform(session, Action::quit);
+  EXPECT_FALSE(session.quit);
+  key_pressed(session, {"1"});
+  EXPECT_TRUE(session.quit);
+  EXPECT_THAT(file(), HasSubstr(R"(r="0.5")"));
+  session.quit = false;
+  perform(session, Action::quit);
+  EXPECT_TRUE(session.quit) << "all is saved";
+  drag_value("diffuse", 0, "0.75");
+  open_scene(session, other);
+  answer("Lose");
+  settle();
+  EXPECT_EQ(session.path, other);
+  EXPECT_THAT(file(), HasSubstr(R"(r="0.5")"));
+}
+
+TEST_F(EditingTest, SavesUnderAnotherName) {
+  select_label("sphere");
+  drag_value("diffuse", 0, "0.5");
+  const std::string other = folder.write("b.xml", "someone's");
+  perform(session, Action::save_as);
+  session.question->path = other;
+  answer("Save");
+  ASSERT_TRUE(session.question.has_value()) << "it exists";
+  answer("Cancel");
+  EXPECT_EQ(folder.read("b.xml"), "someone's");
+  for (const char* const wrong : {"c.png", "c.json"}) {
+    perform(session, Action::save_as);
+    session.question->path = folder.path(wrong);
+    answer("Save");
+    EXPECT_TRUE(session.notice->bad) << wrong;
+    EXPECT_FALSE(std::filesystem::exists(folder.path(wrong)));
+  }
+  perform(session, Action::save_as);
+  session.question->path = folder.path("c.xml");
+  answer("Save");
+  settle();
+  EXPECT_EQ(session.path, folder.path("c.xml"));
+  EXPECT_THAT(folder.read("c.xml"), HasSubstr(R"(r="0.5")"));
+  EXPECT_EQ(file(), testing::scene_text);
+  EXPECT_FALSE(has_unsaved_edits(session));
+}
+
+TEST_F(EditingTest, ANewSceneIsCreatedWhenItIsSaved) {
+  for (const char* const name : {"new.xml", "new.json"}) {
+    const std::string created = folder.path(name);
+    new_scene(session, created);
+    settle();
+    EXPECT_EQ(session.shown->opened.path, created);
+    EXPECT_TRUE(session.shown->opened.diagnostics.list().empty()) << name;
+    EXPECT_TRUE(has_unsaved_edits(session));
+    EXPECT_FALSE(std::filesystem::exists(created));
+    perform(session, Action::save);
+    EXPECT_FALSE(has_unsaved_edits(session));
+    EXPECT_EQ(folder.read(name), text());
+    settle();
+  }
+}
+
+TEST_F(EditingTest, EditsThatBreakTheSceneAreUndone) {
+  select_label("sphere");
+  drag_value("diffuse", 0, "0.5");
+  make_edit(session, Edit{{{0, 1, "<scenefile><"}}, {}});
+  settle();
+  EXPECT_NE(session.broken, nullptr);
+  perform(session, Action::undo);
+  settle();
+  EXPECT_EQ(session.broken, nullptr);
+  EXPECT_NEAR(scene().materials[0].diffuse.r, 0.5, 1e-6);
+}
+
+TEST_F(EditingTest, HandlesMoveAlongOneAxis) {
+  select_label("cube");
+  drag_line(0, 0.9, {40, 17});
+  EXPECT_EQ(field("translate").parts[1].value, "0");
+  const double x = std::stod(field("translate").parts[0].value);
+  // At z = 0 the picture is 4.97 high: 40 of 300 pixels are 0.66.
+  EXPECT_NEAR(x, 1.66, 0.02);
+  EXPECT_LE(field("translate").parts[0].value.size(), 4U) << "a short number";
+  perform(session, Action::undo);
+  EXPECT_EQ(text(), testing::scene_text) << "one step";
+}
+
+TEST_F(EditingTest, HandlesMoveInThePlaneOfThePicture) {
+  select_label("sphere");
+  drag_line(3, 0, {-30, 60});
+  EXPECT_NEAR(std::stod(field("translate").parts[0].value), -1.5, 0.02);
+  EXPECT_NEAR(std::stod(field("translate").parts[1].value), -0.99, 0.02);
+}
+
+TEST_F(EditingTest, HandlesTurnAndScale) {
+  select_label("cube");
+  perform(session, Action::handles);
+  ASSERT_EQ(session.handles, Handles::turn);
+  set_camera(session, moved(session.camera, {0, 0.01, 0}));
+  // The ring about z is seen from the front; half of it is drawn.
+  const std::optional<HandleSet> set = handles_of(session);
+  ASSERT_TRUE(set.has_value());
+  const glm::dvec2 middle = *point_in_window(session, set->at);
+  for (const HandleLine& line : handle_lines(session, *set, 1)) {
+    if (line.number == 2) {
+      const glm::dvec2 from = line.points[8] - middle;
+      const double angle = glm::radians(-30.0);  // the window's y points down
+      const glm::dvec2 to{from.x * std::cos(angle) - from.y * std::sin(angle),
+                          from.x * std::sin(angle) + from.y * std::cos(angle)};
+      drag_line(2, 8.0 / 24, to - from);
+    }
+  }
+  EXPECT_EQ(field("rotate").parts[2].value, "1");
+  EXPECT_EQ(field("rotate").parts[3].value, "30");
+  perform(session, Action::undo);
+  perform(session, Action::handles);
+  drag_line(1, 1, {0, -85});
+  EXPECT_NEAR(std::stod(field("scale").parts[1].value), 2, 0.05);
+  EXPECT_EQ(field("scale").parts[0].value, "1");
+  perform(session, Action::handles);
+  EXPECT_FALSE(handles_of(session).has_value());
+}
+
+TEST_F(EditingTest, HandlesOfLightsAndTheCamera) {
+  select_label("directional light");
+  EXPECT_FALSE(handles_of(session).has_value()) << "it has no position";
+  session.handles = Handles::turn;
+  ASSERT_TRUE(handles_of(session).has_value());
+  drag_line(2, 0.4, {0, -40});
+  EXPECT_NE(field("direction").parts[0].value, "-1");
+  EXPECT_EQ(field("direction").parts[2].value, "-1") << "it turned about z";
+  session.handles = Handles::move;
+  select_label("point light");
+  drag_line(0, 0.9, {20, 0});
+  EXPECT_GT(std::stod(field("position").parts[0].value), 0.1);
+  select_label("camera");
+  EXPECT_FALSE(handles_of(session).has_value()) << "the eye is there";
+  set_camera(session, zoomed(session.camera, 3, {0, 0, 0}));
+  set_camera(session, orbited(session.camera, 40, 20));
+  drag_line(1, 0.9, {0, -20});
+  EXPECT_GT(session.shown->camera.position.y, 0.2);
+  EXPECT_EQ(session.shown->camera.position.z, 6);
+}
+
+TEST_F(EditingTest, PartsOfTemplatesHaveNoHandles) {
+  select_label("cone");
+  EXPECT_FALSE(handles_of(session).has_value());
+}
+
+}  // namespace
+
+}  // namespace scenefile::viewer

@@ -133,7 +133,7 @@ constexpr std::array command_rows{
             "scenefile explain chess.xml --pixel 320,240 --profile course --mine mine.png\n"
             "scenefile explain chess.xml --pixel 320,240 --json",
             run_explain},
-    Command{"view", for_view, "[SCENE [REFERENCE]]", "look at a scene in a window",
+    Command{"view", for_view, "[SCENE [PICTURE]]", "look at a scene in a window",
             "Shows the scene, or the scenes of a folder, in a window: move through it, edit the "
             "file and see the change, select objects, trace rays, compare with a picture. Without "
             "a scene, the window shows recent files and folders. F1 in the window lists all keys.",

@@ -268,7 +268,7 @@ TEST_F(View, ExplainsAClickedPixelAndItsCause) {
   const ProgramRun run =
       view({path, mine, "--profile", "course", "--script",
             folder.write("tour.txt",
-                         "settle\nclick 490 300\nsettle\nkey Ctrl+C\n"
+                         "settle\nkey Y\nframes 4\nclick 421 299\nsettle\nkey Ctrl+C\n"
                          "frames 2\ncopied " +
                              folder.path("copied.txt") + "\n" + shot("readout.png"))});
   EXPECT_EQ(run.status, 0) << run.err;
@@ -318,8 +318,8 @@ TEST_F(View, TracesPathsAndExplainsThem) {
 <object type="primitive" name="mesh" filename="box.obj"/></transblock></object></scenefile>)");
   const ProgramRun run =
       view({box, "--samples", "3", "--script",
-            folder.write("tour.txt", "settle\n" + shot("traced.png") +
-                                         "click 560 300\nsettle\nkey Ctrl+C\nframes 2\ncopied " +
+            folder.write("tour.txt", "key Y\nframes 4\nsettle\n" + shot("traced.png") +
+                                         "click 460 300\nsettle\nkey Ctrl+C\nframes 2\ncopied " +
                                          folder.path("copied.txt") + "\n" + shot("readout.png"))});
   ASSERT_EQ(run.status, 0) << run.err;
   const std::string copied = folder.read("copied.txt");

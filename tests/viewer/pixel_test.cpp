@@ -64,9 +64,9 @@ struct PixelTest : ::testing::Test {
     }
     EXPECT_TRUE(settled(session));
   }
-  void click(double x, double y) {
+  void click(double x, double y, bool alt = true) {
     pointer_moved(session, {x, y});
-    pointer_pressed(session, 0, {});
+    pointer_pressed(session, 0, {.alt = alt});
     pointer_released(session);
   }
   std::string copied() {
@@ -105,6 +105,36 @@ TEST_F(PixelTest, AClickReadsItsPixel) {
   perform(session, Action::escape);
   EXPECT_FALSE(session.readout.at.has_value());
   EXPECT_EQ(readout_text(session), "");
+}
+
+TEST_F(PixelTest, PlainClicksExplainOnlyWhileThePanelIsOpen) {
+  click(140, 150, false);
+  EXPECT_TRUE(session.selected.has_value());
+  EXPECT_FALSE(session.readout.at.has_value());
+  perform(session, Action::explain);
+  click(260, 150, false);
+  EXPECT_EQ(session.readout.pixel, glm::ivec2(26, 15));
+  perform(session, Action::explain);
+  EXPECT_FALSE(session.readout.at.has_value());
+  click(140, 150, false);
+  EXPECT_FALSE(session.readout.at.has_value());
+}
+
+TEST_F(PixelTest, PicturesOfDifferentCamerasAreNotCompared) {
+  compare_with_gray();
+  click(140, 150);
+  EXPECT_EQ(session.readout.other, (PixelValue{128, 128, 128}));
+  pass(0.5);
+  EXPECT_TRUE(wants_picture(session));
+  wheel_turned(session, 3);
+  settle();
+  EXPECT_FALSE(wants_picture(session));
+  EXPECT_FALSE(session.readout.other.has_value());
+  EXPECT_THAT(session.readout.terms, HasSubstr("beside -1"));
+  perform(session, Action::scene_camera);
+  pass(0.5);
+  EXPECT_TRUE(wants_picture(session));
+  EXPECT_EQ(session.readout.other, (PixelValue{128, 128, 128}));
 }
 
 TEST_F(PixelTest, FollowsTheCameraAndHiddenObjects) {

@@ -47,6 +47,7 @@ enum class Action : std::uint8_t {
   realtime,
   split,
   difference,
+  flip,
   reload,
   open,
   new_scene,
@@ -54,6 +55,8 @@ enum class Action : std::uint8_t {
   previous_scene,
   screenshot,
   copy,
+  explain,
+  palette,
   panels,
   outline,
   messages,
@@ -90,6 +93,7 @@ struct KeyPress {
   std::string name;  ///< "A", "1", "F5", "Home", "Page Up", "?"
   bool control = false;
   bool shift = false;
+  bool alt = false;  ///< only for the mouse
 };
 
 /// "Ctrl+Shift+S".

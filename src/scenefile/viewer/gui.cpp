@@ -55,6 +55,15 @@ void build_left(Session& session, const GuiFrame& frame, Box& room) {
   room.size.x -= width;
 }
 
+// Takes space for the explained pixel from the available space.
+void build_right(Session& session, const GuiFrame& frame, Box& room) {
+  const double width = std::floor(std::min(460 * frame.scale, room.size.x * 0.45));
+  room.size.x -= width;
+  begin_panel("##right", {{room.at.x + room.size.x, room.at.y}, {width, room.size.y}});
+  build_readout(session);
+  ImGui::End();
+}
+
 bool has_messages(const Session& session) {
   if (session.broken != nullptr || !session.drawing_notes.empty()) {
     return true;
@@ -102,6 +111,9 @@ void build_gui(Session& session, const GuiFrame& frame, const glm::dvec2& window
     if (session.settings.outline && session.shown != nullptr) {
       build_left(session, frame, room);
     }
+    if (session.explaining && session.shown != nullptr && !session.start.open) {
+      build_right(session, frame, room);
+    }
     if (session.settings.messages && has_messages(session)) {
       build_bottom(session, frame, room);
     }
@@ -118,6 +130,9 @@ void build_gui(Session& session, const GuiFrame& frame, const glm::dvec2& window
   }
   if (session.help) {
     build_help(frame);
+  }
+  if (session.palette) {
+    build_palette(session, frame);
   }
   if (session.question) {
     build_question(session, frame);

@@ -55,7 +55,9 @@ void build_messages(const Session& session);
 void build_status(const Session& session, const GuiFrame& frame);
 void build_overlay(Session& session, const GuiFrame& frame);
 void build_realtime_panel(Session& session, const GuiFrame& frame);
-void build_readout(Session& session, const GuiFrame& frame);
+void build_readout(Session& session);
+void paint_mark(const Session& session, const GuiFrame& frame);
+void build_palette(Session& session, const GuiFrame& frame);
 void build_help(const GuiFrame& frame);
 /// In this part of the window, over the picture.
 void build_start(Session& session, const GuiFrame& frame, const Box& room);

@@ -56,7 +56,7 @@ class KeyList {
   float keys_;
 };
 
-void build_left() {
+void build_first() {
   const KeyList list(12.5F);
   list.heading("Mouse and flying");
   for (const GestureRow& row : gestures()) {
@@ -67,8 +67,9 @@ void build_left() {
   list.group("Picture");
 }
 
-void build_right() {
-  const KeyList list(6.5F);
+void build_second() {
+  const KeyList list(7.5F);
+  list.group("Edit");
   list.group("Show");
   list.group("Window");
 }
@@ -92,12 +93,12 @@ void build_help(const GuiFrame& frame) {
                    ImGuiWindowFlags_HorizontalScrollbar);
   const float top = ImGui::GetCursorPosY();
   const float left = ImGui::GetCursorPosX();
-  build_left();
+  build_first();
   const float second = left + 34 * ImGui::GetFontSize();
   if (window.x >= second + 26 * ImGui::GetFontSize()) {
     ImGui::SetCursorPos({second, top});
   }
-  build_right();
+  build_second();
   ImGui::End();
   ImGui::PopStyleVar(4);
 }

@@ -36,6 +36,8 @@ bool is_on(const Session& session, Action action) {
       return session.compare == CompareView::split;
     case Action::difference:
       return session.compare >= CompareView::reference;
+    case Action::explain:
+      return session.explaining;
     case Action::outline:
       return session.settings.outline;
     case Action::messages:
@@ -59,6 +61,7 @@ bool is_possible(const Session& session, Action action) {
   switch (action) {
     case Action::split:
     case Action::difference:
+    case Action::flip:
       return !session.reference->empty();
     case Action::hide_selected:
     case Action::duplicate:

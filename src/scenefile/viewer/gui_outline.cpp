@@ -88,22 +88,11 @@ class RowPainter {
     }
   }
 
-  // The color of the material, made bright enough to be visible.
   ImU32 material_color() const {
     if (row_.source == no_index) {
       return rgba(color_dim);
     }
-    glm::vec3 c(0.5F);
-    for (const RenderGroup& group : scene_.opened.ready.scene.groups) {
-      const auto found =
-          std::find_if(group.primitives.begin(), group.primitives.end(),
-                       [&](const RenderPrimitive& p) { return p.source == row_.source; });
-      if (found != group.primitives.end()) {
-        const RenderMaterial& m = scene_.opened.ready.scene.materials[found->material];
-        c = glm::clamp(m.diffuse + m.transparent + 0.5F * m.reflective, 0.12F, 1.0F);
-        break;
-      }
-    }
+    const glm::vec3& c = scene_.colors[row_.source];
     return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1});
   }
 

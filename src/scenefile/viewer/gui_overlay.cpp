@@ -55,6 +55,9 @@ void paint_pictures(const Session& session, const GuiFrame& frame) {
   } else if (session.shown != nullptr) {
     paint_picture(box, frame.scene, 0, 1);
   }
+  if (!is_comparable(session) && session.compare != CompareView::reference) {
+    return;
+  }
   switch (session.compare) {
     case CompareView::off:
       break;
@@ -90,25 +93,33 @@ void paint_split(const Session& session, const GuiFrame& frame) {
   }
   const double top = box.at.y + 10 * frame.scale;
   paint_label({x - 12 * frame.scale, top}, "ours", {1, 0}, frame.scale);
-  paint_label({x + 12 * frame.scale, top}, "reference", {0, 0}, frame.scale);
+  paint_label({x + 12 * frame.scale, top}, other_name(session), {0, 0}, frame.scale);
 }
 
 void paint_comparison(const Session& session, const GuiFrame& frame) {
   if (session.compare == CompareView::off || session.reference->empty()) {
     return;
   }
+  if (!is_comparable(session) && session.compare != CompareView::reference) {
+    const Box& box = session.picture;
+    paint_label(box.at + glm::dvec2(box.size.x / 2, box.size.y - 12 * frame.scale),
+                fmt::format("{} is not compared: this is not the scene's camera (Home)",
+                            other_name(session)),
+                {0.5, 1}, frame.scale, color_dim, box.size.x);
+    return;
+  }
   if (session.compare == CompareView::split) {
     paint_split(session, frame);
   } else {
-    static constexpr std::array<const char*, 3> names{"reference",
-                                                      "difference: black is none, yellow is all",
-                                                      "FLIP: visible differences, black is none"};
+    const std::array<std::string, 3> names{other_name(session),
+                                           "difference: black is none, yellow is all",
+                                           "FLIP: visible differences, black is none"};
     const auto index = static_cast<std::size_t>(session.compare) -
                        static_cast<std::size_t>(CompareView::reference);
     paint_label(session.picture.at + glm::dvec2(12, 10) * frame.scale, names[index], {0, 0},
                 frame.scale);
   }
-  if (session.comparison) {
+  if (session.comparison && is_comparable(session)) {
     const Box& box = session.picture;
     paint_label(box.at + glm::dvec2(box.size.x / 2, box.size.y - 12 * frame.scale),
                 measures_text(session.comparison->measures), {0.5, 1}, frame.scale, color_text,
@@ -171,6 +182,12 @@ void paint_box(const Projection& projection, const Bounds& box, double scale) {
   }
 }
 
+// Where our picture ends, from its left edge.
+double right_of_ours(const Session& session) {
+  const bool split = session.compare == CompareView::split && is_comparable(session);
+  return split ? session.split * session.picture.size.x : session.picture.size.x;
+}
+
 // A box around the selection, which leaves its colors as they are.
 void paint_selection(const Session& session, const GuiFrame& frame) {
   if (!session.selected || session.compare > CompareView::split) {
@@ -182,9 +199,8 @@ void paint_selection(const Session& session, const GuiFrame& frame) {
   }
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
   const Box& picture = session.picture;
-  const double right =
-      session.compare == CompareView::split ? session.split * picture.size.x : picture.size.x;
-  draw.PushClipRect(vec(picture.at), vec(picture.at + glm::dvec2(right, picture.size.y)));
+  draw.PushClipRect(vec(picture.at),
+                    vec(picture.at + glm::dvec2(right_of_ours(session), picture.size.y)));
   paint_box(Projection(session), box, frame.scale);
   draw.PopClipRect();
 }
@@ -256,7 +272,8 @@ void paint_handles(Session& session, const GuiFrame& frame) {
   const auto s = static_cast<float>(frame.scale);
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
   const Box& picture = session.picture;
-  draw.PushClipRect(vec(picture.at), vec(picture.at + picture.size));
+  draw.PushClipRect(vec(picture.at),
+                    vec(picture.at + glm::dvec2(right_of_ours(session), picture.size.y)));
   for (const HandleLine& line : handle_lines(session, *set, frame.scale)) {
     const bool over = bright == line.number;
     const ImU32 color =
@@ -372,7 +389,7 @@ void build_overlay(Session& session, const GuiFrame& frame) {
     build_realtime_panel(session, frame);
   }
   if (session.readout.at && panels) {
-    build_readout(session, frame);
+    paint_mark(session, frame);
   }
   if (session.settings.statistics && !session.picture_only) {
     build_statistics(session, frame);

@@ -13,19 +13,27 @@ namespace scenefile::viewer {
 
 namespace {
 
-// Escapes each line, since line breaks are escaped as well.
+// Wraps each line; what continues it starts where its text does, after the branches of the tree.
 void build_lines(const std::string& text) {
-  constexpr std::size_t most = 400;
+  constexpr std::size_t most = 1000;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
-    ImGui::TextUnformatted(escaped(text.substr(begin, end - begin), most).c_str());
+    const std::string line = escaped(text.substr(begin, end - begin), most);
     begin = end + 1;
+    std::size_t branches = 0;
+    while (branches < line.size() &&
+           (line[branches] == ' ' || (static_cast<unsigned char>(line[branches]) & 0x80) != 0)) {
+      ++branches;
+    }
+    ImGui::TextUnformatted(line.c_str(), line.c_str() + branches);
+    ImGui::SameLine(0, 0);
+    ImGui::TextWrapped("%s", line.c_str() + branches);
   }
 }
 
 void build_swatch(const char* name, const PixelValue& value) {
   ImGui::TextDisabled("%s", name);
-  ImGui::SameLine();
+  ImGui::SameLine(9 * ImGui::GetFontSize());
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float size = ImGui::GetTextLineHeight();
   ImGui::GetWindowDrawList()->AddRectFilled(
@@ -40,59 +48,54 @@ void build_answers(const Session& session) {
   const PixelReadout& readout = session.readout;
   ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[1]);
   if (!session.reference->empty()) {
-    ImGui::TextDisabled("%s", "why the other picture differs, with ours as the reference:");
-    // Sentences wrap; the terms below are a tree, which scrolls sideways.
-    const ImGuiStyle& style = ImGui::GetStyle();
-    ImGui::PushTextWrapPos(ImGui::GetWindowWidth() - style.ScrollbarSize - style.WindowPadding.x);
+    ImGui::TextDisabled("why %s differs from ours:", other_name(session).c_str());
     build_lines(cause_text(session));
-    ImGui::PopTextWrapPos();
     ImGui::Spacing();
   }
   build_lines(readout.terms.empty() ? "computing ..." : readout.terms);
   ImGui::PopFont();
 }
 
-void paint_mark(const Session& session, double scale) {
-  const glm::dvec2 at = session.picture.at + *session.readout.at * session.picture.size;
-  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-  const auto radius = static_cast<float>(7 * scale);
-  draw.AddCircle(vec(at), radius, rgba(0x000000, 180), 24, static_cast<float>(3 * scale));
-  draw.AddCircle(vec(at), radius, rgba(color_accent), 24, static_cast<float>(1.5 * scale));
-}
-
 }  // namespace
 
-void build_readout(Session& session, const GuiFrame& frame) {
-  paint_mark(session, frame.scale);
-  const Box& box = session.picture;
-  const double margin = 12 * frame.scale;
-  const glm::dvec2 size =
-      glm::min(glm::dvec2(620, 380) * frame.scale, box.size * glm::dvec2(0.6, 0.4));
-  ImGui::SetNextWindowPos(vec({box.at.x + box.size.x - margin, box.at.y + margin}),
-                          ImGuiCond_Appearing, {1, 0});
-  ImGui::SetNextWindowSize(vec(size), ImGuiCond_Appearing);
-  ImGui::SetNextWindowBgAlpha(0.92F);
-  bool open = true;
-  ImGui::Begin("Pixel", &open,
-               ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse |
-                   ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoFocusOnAppearing);
+void paint_mark(const Session& session, const GuiFrame& frame) {
+  const glm::dvec2 at = session.picture.at + *session.readout.at * session.picture.size;
+  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+  const auto radius = static_cast<float>(7 * frame.scale);
+  draw.AddCircle(vec(at), radius, rgba(0x000000, 180), 24, static_cast<float>(3 * frame.scale));
+  draw.AddCircle(vec(at), radius, rgba(color_accent), 24, static_cast<float>(1.5 * frame.scale));
+}
+
+void build_readout(Session& session) {
   const PixelReadout& readout = session.readout;
-  ImGui::TextUnformatted(fmt::format("{}, {} of {} x {}", readout.pixel.x, readout.pixel.y,
-                                     readout.size.x, readout.size.y)
-                             .c_str());
-  if (readout.other) {
+  if (!readout.at) {
+    ImGui::TextWrapped("%s", "Click a pixel of the picture: here is how its color comes about.");
+  } else {
+    ImGui::Text("pixel %d, %d of %d x %d", readout.pixel.x, readout.pixel.y, readout.size.x,
+                readout.size.y);
     ImGui::SameLine();
-    build_swatch("  other picture:", *readout.other);
+    if (ImGui::SmallButton("Copy")) {
+      perform(session, Action::copy);
+    }
   }
-  ImGui::SameLine();
-  if (ImGui::SmallButton("Copy")) {
-    perform(session, Action::copy);
+  ImGui::SameLine(ImGui::GetWindowWidth() - 2.2F * ImGui::GetFontSize());
+  if (ImGui::SmallButton("x")) {
+    perform(session, Action::explain);
+    return;
   }
+  if (!readout.at) {
+    return;
+  }
+  if (readout.ours) {
+    build_swatch("ours", *readout.ours);
+  }
+  if (readout.other) {
+    build_swatch(other_name(session).c_str(), *readout.other);
+  } else if (!session.reference->empty()) {
+    ImGui::TextDisabled("%s is not compared: press Home", other_name(session).c_str());
+  }
+  ImGui::Spacing();
   build_answers(session);
-  ImGui::End();
-  if (!open) {
-    read_pixel(session, std::nullopt);
-  }
 }
 
 }  // namespace scenefile::viewer

@@ -123,6 +123,10 @@ std::string build_field(StartPanel& panel) {
   std::array<char, 4096> text{};
   panel.typed.copy(text.data(), text.size() - 1);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+  if (panel.appears) {
+    panel.appears = false;
+    ImGui::SetKeyboardFocusHere();  // what is typed is for the field
+  }
   const bool entered = ImGui::InputTextWithHint("##path", "type a path, and Enter", text.data(),
                                                 text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   panel.typed = text.data();

@@ -16,6 +16,7 @@ struct PixelReadout {
   std::optional<glm::dvec2> at;     ///< fractions of the picture's width and height; none: closed
   glm::ivec2 pixel{0};              ///< in the picture that is explained
   glm::ivec2 size{0};               ///< of that picture
+  std::optional<PixelValue> ours;   ///< if a complete picture was traced
   std::optional<PixelValue> other;  ///< of the picture next to ours
   bool asked = false;               ///< the terms, for the current picture
   std::string terms;                ///< empty: not known yet

@@ -1,5 +1,6 @@
 #include "scenefile/viewer/session.h"
 
+#include "scenefile/base/text.h"
 #include "scenefile/io/folder.h"
 #include "scenefile/view/draw_options.h"
 #include "scenefile/viewer/hidden.h"
@@ -60,7 +61,7 @@ bool tick_trace(Session& session) {
 
 bool tick_comparison(Session& session) {
   if (session.compare != CompareView::off && !session.compare_started && shows_traced(session) &&
-      session.traced->complete) {
+      session.traced->complete && is_comparable(session)) {
     compare_with(session, session.traced->picture);
   }
   std::optional<Comparison> done = session.comparing.take();
@@ -166,7 +167,7 @@ bool settled(const Session& session) {
   const bool tracing = wants_trace(session) && !(session.trace_started && !session.trace.busy() &&
                                                  session.traced && session.traced->complete);
   const bool comparing = session.compare != CompareView::off && session.shown != nullptr &&
-                         !session.reference->empty() &&
+                         is_comparable(session) &&
                          (!session.compare_started || session.comparing.busy());
   const bool thumbnails = session.start.open && session.thumbnails.busy();
   return !session.loading.busy() && !session.load_again && session.pictures.empty() && !tracing &&
@@ -294,7 +295,7 @@ void toggle_hidden(Session& session, std::uint32_t row) {
 }
 
 bool wants_picture(const Session& session) {
-  return session.compare != CompareView::off && !session.reference->empty() &&
+  return session.compare != CompareView::off && is_comparable(session) &&
          session.shown != nullptr && !session.compare_started && !wants_trace(session) &&
          !session.comparing.busy() && at_rest(session);
 }
@@ -400,6 +401,14 @@ DrawOptions draw_options(const Session& session) {
     }
   }
   return options;
+}
+
+std::string other_name(const Session& session) {
+  return escaped(file_name_of(session.reference_path), 60);
+}
+
+bool is_comparable(const Session& session) {
+  return !session.reference->empty() && session.camera == session.home;
 }
 
 std::string scene_name(const Session& session) {

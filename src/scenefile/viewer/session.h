@@ -63,6 +63,7 @@ struct SceneOnShow {
   bool from_file = false;          ///< its text was read from the file
   Camera camera;                   ///< of the file, or the default camera
   Outline outline;
+  std::vector<glm::vec3> colors;  ///< of the materials of primitives, by source; for the outline
   Bounds bounds;
   std::unique_ptr<const Picker> picker;
 };
@@ -101,6 +102,7 @@ enum class Drag : std::uint8_t { none, orbit, pan, look, zoom, split, handle };
 
 struct Pointer {
   glm::dvec2 at{0};
+  bool explains = false;  ///< a click explains the pixel
   glm::dvec2 pressed_at{0};
   Drag drag = Drag::none;
   bool moved = false;     ///< since the press: no longer a click
@@ -170,6 +172,7 @@ struct Session {
   std::shared_ptr<const Texture> compared;  ///< our picture in the comparison; null: none
   CauseSearch cause;
 
+  bool explaining = false;  ///< the panel of the pixel is open; clicks explain
   PixelReadout readout;
 
   // Editing.
@@ -185,6 +188,9 @@ struct Session {
 
   // The window.
   bool help = false;
+  bool palette = false;       ///< the list of all commands, to search in
+  std::string palette_typed;  ///< what is searched for
+  int palette_row = 0;        ///< the command that Enter performs
   bool full_screen = false;
   bool quit = false;
   bool picture_only = false;   ///< no panels
@@ -296,6 +302,11 @@ RenderOptions trace_options(const Session& session);
 /// The options for drawing with OpenGL.
 DrawOptions draw_options(const Session& session);
 
+/// The name of the picture next to ours: its file's.
+std::string other_name(const Session& session);
+/// Whether our picture and the other one are of the same camera, the scene's. Otherwise they are
+/// not compared.
+bool is_comparable(const Session& session);
 /// Texts for the title and the status line: the requested scene, and the visible one.
 std::string scene_name(const Session& session);
 std::string shown_name(const Session& session);

@@ -141,8 +141,8 @@ void next_light(Session& session) {
 void split(Session& session) {
   if (session.reference->empty()) {
     say(session,
-        "there is no reference; drop a picture into the window, or name one: "
-        "scenefile view SCENE REFERENCE.png",
+        "there is no picture to compare with; drop one into the window, or name one: "
+        "scenefile view SCENE PICTURE.png",
         true);
     return;
   }
@@ -208,6 +208,8 @@ void copy(Session& session) {
 void escape(Session& session) {
   if (session.question) {
     answer_question(session, session.question->answers.size() - 1);
+  } else if (session.palette) {
+    session.palette = false;
   } else if (session.keyboard_in_fields) {
     session.keyboard_in_fields = false;
   } else if (session.editing.progress) {
@@ -219,7 +221,8 @@ void escape(Session& session) {
     close_start_panel(session);
   } else if (session.full_screen) {
     session.full_screen = false;
-  } else if (session.readout.at) {
+  } else if (session.explaining) {
+    session.explaining = false;
     read_pixel(session, std::nullopt);
   } else {
     select(session, std::nullopt);
@@ -318,6 +321,14 @@ void perform_on_picture(Session& session, Action action) {
     case Action::difference:
       difference(session);
       break;
+    case Action::flip:
+      if (session.reference->empty()) {
+        split(session);
+      } else {
+        session.compare =
+            session.compare == CompareView::reference ? CompareView::off : CompareView::reference;
+      }
+      break;
     case Action::reload:
       if (!session.path.empty()) {
         open_scene(session, session.path);
@@ -376,6 +387,15 @@ void perform_on_window(Session& session, Action action) {
       break;
     case Action::full_screen:
       session.full_screen = !session.full_screen;
+      break;
+    case Action::explain:
+      session.explaining = !session.explaining;
+      if (!session.explaining) {
+        read_pixel(session, std::nullopt);
+      }
+      break;
+    case Action::palette:
+      session.palette = !session.palette;
       break;
     case Action::help:
       session.help = !session.help;

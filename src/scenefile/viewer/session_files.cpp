@@ -20,6 +20,19 @@ namespace {
 
 constexpr std::uint32_t rows_open_at_first = 40;
 
+// Bright enough to be visible.
+std::vector<glm::vec3> colors_of(const Prepared& ready) {
+  std::vector<glm::vec3> colors(ready.sources.size(), glm::vec3(0.5F));
+  for (const RenderGroup& group : ready.scene.groups) {
+    for (const RenderPrimitive& primitive : group.primitives) {
+      const RenderMaterial& m = ready.scene.materials[primitive.material];
+      colors[primitive.source] =
+          glm::clamp(m.diffuse + m.transparent + 0.5F * m.reflective, 0.12F, 1.0F);
+    }
+  }
+  return colors;
+}
+
 // Runs on another thread.
 std::shared_ptr<SceneOnShow> load(const LoadScene& load_scene, const SceneRequest& request,
                                   std::uint64_t version) {
@@ -31,6 +44,7 @@ std::shared_ptr<SceneOnShow> load(const LoadScene& load_scene, const SceneReques
   scene->camera = opened.written.camera.value_or(Camera{});
   if (opened.usable()) {
     scene->outline = make_outline(opened.written, opened.ready);
+    scene->colors = colors_of(opened.ready);
     scene->bounds = scene_bounds(opened.ready.scene, opened.assets);
     scene->picker = std::make_unique<Picker>(opened.ready.scene, opened.assets);
   }
@@ -381,6 +395,7 @@ void load_edited_text(Session& session) {
 
 void open_start_panel(Session& session) {
   session.start.open = true;
+  session.start.appears = true;
   session.start.recent = load_recent_files(session.setup.recent_files);
   const bool in_folder = !session.path.empty() && session.path != "-";
   go_to_folder(session.start, in_folder ? folder_of(session.path) : session.start.folder);

@@ -45,7 +45,9 @@ void select_under(Session& session) {
   const Ray ray = ray_in_window(session, session.pointer.at);
   const std::optional<Pick> pick = pick_under(session, ray);
   const Box& box = session.picture;
-  read_pixel(session, (session.pointer.at - box.at) / box.size);
+  if (session.explaining || session.pointer.explains) {
+    read_pixel(session, (session.pointer.at - box.at) / box.size);
+  }
   if (!pick || pick->source >= scene.outline.row_of_source.size()) {
     select(session, std::nullopt);
     return;
@@ -143,6 +145,7 @@ void pointer_pressed(Session& session, int button, const KeyPress& with) {
   }
   pointer.drag = drag_of(session, button, with);
   pointer.pressed_at = pointer.at;
+  pointer.explains = with.alt;
   pointer.moved = false;
   if (pointer.drag == Drag::zoom) {
     pointer.grasped = point_under(session);

@@ -111,6 +111,7 @@ bool tick_pixel(Session& session) {
 
 void read_pixel(Session& session, const std::optional<glm::dvec2>& at) {
   session.readout.at = at;
+  session.explaining = session.explaining || at;
   session.readout.asked = false;
   session.readout.terms.clear();
   if (!at) {
@@ -127,9 +128,17 @@ void locate_pixel(Session& session) {
   readout.pixel = glm::clamp(glm::ivec2(glm::floor(*readout.at * glm::dvec2(readout.size))),
                              glm::ivec2(0), readout.size - 1);
   readout.other.reset();
-  if (!session.reference->empty()) {
-    const std::uint8_t* const v = session.reference->texel(readout.pixel.x, readout.pixel.y);
-    readout.other = PixelValue{v[0], v[1], v[2]};
+  readout.ours.reset();
+  const auto value_in = [&](const Texture& picture) {
+    const std::uint8_t* const v = picture.texel(readout.pixel.x, readout.pixel.y);
+    return PixelValue{v[0], v[1], v[2]};
+  };
+  if (shows_traced(session) && session.traced->complete &&
+      glm::ivec2(session.traced->picture.width, session.traced->picture.height) == readout.size) {
+    readout.ours = value_in(session.traced->picture);
+  }
+  if (is_comparable(session)) {
+    readout.other = value_in(*session.reference);
   }
 }
 
@@ -170,7 +179,7 @@ std::string readout_text(const Session& session) {
   }
   if (readout.other) {
     const auto& [r, g, b] = *readout.other;
-    text += fmt::format("the other picture has {} {} {}\n", r, g, b);
+    text += fmt::format("{} has {} {} {}\n", other_name(session), r, g, b);
   }
   text += readout.terms.empty() ? "" : '\n' + readout.terms;
   text += session.cause.text.empty() ? "" : '\n' + session.cause.text;

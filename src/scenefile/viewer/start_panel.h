@@ -25,6 +25,7 @@ struct StartPanel {
   std::vector<Choice> choices;      ///< the contents of the folder: folders, scenes, pictures
   bool cut_off = false;             ///< the folder contains more than `max_choices`
   std::vector<std::string> recent;  ///< absolute paths
+  bool appears = false;             ///< was opened since the last frame
   std::string typed;                ///< the path in the field
   bool opening = false;             ///< closes when the requested scene can be drawn
 };

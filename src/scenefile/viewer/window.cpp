@@ -13,6 +13,7 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
@@ -76,9 +77,9 @@ std::string key_name(int key, int scancode) {
 
 KeyPress key_press(int key, int scancode, int modifiers) {
   KeyPress press{key_name(key, scancode), (modifiers & GLFW_MOD_CONTROL) != 0,
-                 (modifiers & GLFW_MOD_SHIFT) != 0};
+                 (modifiers & GLFW_MOD_SHIFT) != 0, (modifiers & GLFW_MOD_ALT) != 0};
   if (press.shift && press.name == "/") {
-    press = {"?", press.control, false};
+    press = {"?", press.control};
   } else if (press.name == "+") {
     press.shift = false;
   }
@@ -334,6 +335,12 @@ void Window::install_callbacks() {
 void Window::on_key(const KeyPress& key, bool down) {
   stir();
   const bool typing = ImGui::GetIO().WantTextInput || session_.keyboard_in_fields;
+  if (down && key.name == "Escape" && !session_.question &&
+      ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
+    ImGui::ClosePopupToLevel(std::max(0, ImGui::GetCurrentContext()->OpenPopupStack.Size - 1),
+                             true);  // the innermost menu
+    return;
+  }
   if (typing && !(down && key.name == "Escape" && !ImGui::GetIO().WantTextInput)) {
     return;
   }

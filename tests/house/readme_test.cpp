@@ -1,5 +1,4 @@
-// The examples in the pages must be the programs that the tests build against the installed
-// package.
+// The examples in the pages must be the programs and projects that the tests build.
 
 #include <gtest/gtest.h>
 
@@ -14,16 +13,18 @@ std::string read(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// Whether the page shows the whole program.
-void expect_shown(const char* page, const char* program) {
-  const std::string text = read(program);
-  ASSERT_FALSE(text.empty()) << program;
-  EXPECT_NE(read(page).find("```cpp\n" + text + "```"), std::string::npos) << page;
+// Whether the page shows the whole file.
+void expect_shown(const char* page, const char* file, const std::string& language = "cpp") {
+  const std::string text = read(file);
+  ASSERT_FALSE(text.empty()) << file;
+  EXPECT_NE(read(page).find("```" + language + "\n" + text + "```"), std::string::npos) << page;
 }
 
-TEST(Examples, AreTheConsumersOfTheInstalledPackage) {
+TEST(Examples, AreWhatTheTestsBuild) {
   expect_shown("README.md", "tests/consumer/main.cpp");
   expect_shown("docs/library.md", "tests/consumer/normals.cpp");
+  expect_shown("docs/library.md", "tests/consumer/reader/CMakeLists.txt", "cmake");
+  expect_shown("docs/library.md", "tests/consumer/reader/mine.cpp");
 }
 
 }  // namespace

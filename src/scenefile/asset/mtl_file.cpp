@@ -19,10 +19,10 @@ namespace scenefile {
 
 namespace {
 
-using Color = std::optional<glm::vec3> MtlMaterial::*;
+using MtlColor = std::optional<glm::vec3> MtlMaterial::*;
 using Map = FileReference MtlMaterial::*;
 
-constexpr std::pair<std::string_view, Color> mtl_colors[] = {
+constexpr std::pair<std::string_view, MtlColor> mtl_colors[] = {
     {"Ka", &MtlMaterial::ambient},      {"Kd", &MtlMaterial::diffuse},
     {"Ks", &MtlMaterial::specular},     {"Ke", &MtlMaterial::emission},
     {"Tf", &MtlMaterial::transmission}, {"Kt", &MtlMaterial::transmission}};

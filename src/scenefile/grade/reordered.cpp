@@ -16,9 +16,9 @@ namespace {
 using glm::ivec2;
 
 // Where the pixel of a picture is stored.
-using Place = std::function<ivec2(int x, int y)>;
+using StoredAt = std::function<ivec2(int x, int y)>;
 
-Texture with_places(const Texture& test, const Place& place) {
+Texture with_places(const Texture& test, const StoredAt& place) {
   Texture picture = test;
   for (int y = 0; y < test.height; ++y) {
     for (int x = 0; x < test.width; ++x) {

@@ -131,8 +131,8 @@ TEST_F(EditingTest, TheSelectionFollowsTheEdit) {
   perform(session, Action::duplicate);
   settle();
   EXPECT_EQ(shapes(), before + 1);
-  EXPECT_EQ(selected(), "group") << "the copy's transblock";
-  EXPECT_GT(session.shown->outline.rows[*session.selected].location.line, 17U);
+  EXPECT_EQ(selected(), "sphere");
+  EXPECT_GT(session.shown->outline.rows[*session.selected].location.line, 19U) << "the copy";
   perform(session, Action::later);
   settle();
   const std::size_t cube = text().find("cube");

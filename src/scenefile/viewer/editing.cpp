@@ -253,9 +253,10 @@ std::optional<std::uint32_t> row_of_selected_item(Session& session) {
   if (session.selected && is_its(rows[*session.selected])) {
     return session.selected;
   }
-  const auto found = std::find_if(rows.begin(), rows.end(), is_its);
-  return found == rows.end() ? std::nullopt
-                             : std::optional(static_cast<std::uint32_t>(found - rows.begin()));
+  // In XML, the rows of an object and of its transblock: the object's is the last.
+  const auto found = std::find_if(rows.rbegin(), rows.rend(), is_its);
+  return found == rows.rend() ? std::nullopt
+                              : std::optional(static_cast<std::uint32_t>(rows.rend() - found) - 1);
 }
 
 void make_edit(Session& session, const Result<Edit>& edit) {

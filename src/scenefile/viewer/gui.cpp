@@ -111,11 +111,11 @@ void build_gui(Session& session, const GuiFrame& frame, const glm::dvec2& window
     if (session.settings.outline && session.shown != nullptr) {
       build_left(session, frame, room);
     }
-    if (session.explaining && session.shown != nullptr && !session.start.open) {
-      build_right(session, frame, room);
-    }
     if (session.settings.messages && has_messages(session)) {
       build_bottom(session, frame, room);
+    }
+    if (session.explaining && session.shown != nullptr && !session.start.open) {
+      build_right(session, frame, room);
     }
   }
   room.size = glm::max(room.size, glm::dvec2(1));

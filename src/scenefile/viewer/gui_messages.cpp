@@ -120,9 +120,11 @@ void build_messages(const Session& session) {
     build_finding(opened, *finding, excerpts > 0 && finding->severity == Severity::error);
     excerpts -= finding->severity == Severity::error ? 1 : 0;
   }
+  ImGui::PushTextWrapPos(0);
   for (const std::string& note : session.drawing_notes) {
     ImGui::TextDisabled("%s", escaped(note, 400).c_str());
   }
+  ImGui::PopTextWrapPos();
 }
 
 }  // namespace scenefile::viewer

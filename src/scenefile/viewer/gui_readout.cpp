@@ -69,7 +69,7 @@ void paint_mark(const Session& session, const GuiFrame& frame) {
 void build_readout(Session& session) {
   const PixelReadout& readout = session.readout;
   if (!readout.at) {
-    ImGui::TextWrapped("%s", "Click a pixel of the picture: here is how its color comes about.");
+    ImGui::TextUnformatted("pixel");
   } else {
     ImGui::Text("pixel %d, %d of %d x %d", readout.pixel.x, readout.pixel.y, readout.size.x,
                 readout.size.y);
@@ -84,6 +84,7 @@ void build_readout(Session& session) {
     return;
   }
   if (!readout.at) {
+    ImGui::TextWrapped("%s", "Click into the picture to see how the color of a pixel is computed.");
     return;
   }
   if (readout.ours) {

@@ -377,9 +377,17 @@ TEST_F(EditingTest, HandlesOfLightsAndTheCamera) {
   EXPECT_EQ(session.shown->camera.position.z, 6);
 }
 
-TEST_F(EditingTest, PartsOfTemplatesHaveNoHandles) {
+TEST_F(EditingTest, PartsOfTemplatesMoveTheCopyThatWasClicked) {
   select_label("cone");
-  EXPECT_FALSE(handles_of(session).has_value());
+  EXPECT_FALSE(handles_of(session).has_value()) << "which one?";
+  click(260, 240);
+  EXPECT_EQ(selected(), "cone");
+  drag_line(0, 0.9, {20, 0});
+  EXPECT_THAT(text(), HasSubstr(R"(<translate x="-1" y="-1.5" z="0"/>)"));
+  EXPECT_THAT(text(), Not(HasSubstr(R"(<translate x="1" y="-1.5" z="0"/>)")));
+  EXPECT_EQ(selected(), "cone") << "it stays selected";
+  drag_line(0, 0.9, {20, 0});
+  EXPECT_EQ(session.editing.done.size(), 2U);
 }
 
 }  // namespace

@@ -235,6 +235,20 @@ std::vector<glm::dvec3> points_of(const Session& session, const HandleSet& set, 
   return points;
 }
 
+// Of the item, or of the copy of a template that was clicked and contains it.
+std::optional<Handle> handle_of_selection(const Session& session, const Document& document,
+                                          ItemId item) {
+  std::optional<Handle> handle = handle_of(document, item);
+  if (!handle && !session.selected_copy.empty() && shows_edited_text(session)) {
+    const Outline& outline = session.shown->outline;
+    const std::uint32_t row = outline.row_of_source[session.selected_copy.front()];
+    const std::optional<ItemId> copy =
+        row == no_index ? std::nullopt : document.item_of(outline.rows[row].location);
+    handle = copy ? handle_of(document, *copy) : std::nullopt;
+  }
+  return handle;
+}
+
 }  // namespace
 
 std::optional<HandleSet> handles_of(Session& session) {
@@ -254,7 +268,7 @@ std::optional<HandleSet> handles_of(Session& session) {
     }
     set.of_camera = true;
     set.at = document.scene().camera.value_or(Camera{}).position;
-  } else if (const std::optional<Handle> handle = handle_of(document, *item)) {
+  } else if (const std::optional<Handle> handle = handle_of_selection(session, document, *item)) {
     set.at = glm::dvec3(handle->world_from_item[3]);
     if (!handle->is_light || set.kind == Handles::move) {
       set.of_item = handle;

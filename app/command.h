@@ -32,6 +32,9 @@ struct Context {
   char* const* command_line =
       nullptr;      ///< of main(), for replacing this process by another program
   UsedFiles files;  ///< inputs and outputs of the command
+  /// The name of the command, if its answer is to be JSON, also that it failed.
+  std::string_view json_command;
+  std::string broken_configuration;  ///< scene_json(), if it is the reason of a failure
 };
 
 /// The number of arguments of a command.
@@ -43,7 +46,7 @@ inline constexpr ArgumentCount at_most_one{0, 1};
 inline constexpr ArgumentCount one_or_more{1, ~std::size_t{0}};
 inline constexpr ArgumentCount at_most_two{0, 2};
 inline constexpr ArgumentCount two{2, 2};
-/// Reports that memory ran out, without allocating. ExitCode::limit if the limit was explicit.
+/// Reports that memory ran out. ExitCode::limit if the limit was explicit.
 ExitCode out_of_memory(const Context& context);
 
 struct Command {

@@ -13,6 +13,7 @@
 #include "scenefile/format/layout.h"
 #include "scenefile/format/write_scene.h"
 #include "scenefile/io/file.h"
+#include "scenefile/io/interrupt.h"
 #include "scenefile/verbs/codes.h"
 
 #include <fmt/format.h>
@@ -206,7 +207,7 @@ ExitCode run_convert(const Options& options, Context& context) {
     report.error = outcome.error;
   }
   if (options.json) {
-    return report.output == "-" ? status : worse(status, answer(convert_json(scene, report)));
+    return used_standard_output() ? status : worse(status, answer(convert_json(scene, report)));
   }
   if (status_of(scene) == ExitCode::fine && !report.error.empty()) {
     say_error(report.error);

@@ -321,6 +321,19 @@ std::string format_json(const std::vector<FormatReport>& files, bool check) {
   return json.text();
 }
 
+std::string failure_json(std::string_view command, std::string_view error,
+                         std::string_view configuration) {
+  Json json;
+  begin_document(json, command);
+  json.add("error", error);
+  if (!configuration.empty()) {
+    json.key("configuration");
+    json.raw(configuration);
+  }
+  json.end_object();
+  return json.text();
+}
+
 std::string command_json(const Command& command) {
   Json json;
   add_command(json, command);

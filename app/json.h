@@ -64,6 +64,11 @@ struct FormatReport {
 };
 std::string format_json(const std::vector<FormatReport>& files, bool check);
 
+/// The answer of a command that failed before it had one. `configuration`: scene_json() of a
+/// configuration that cannot be used, or empty.
+std::string failure_json(std::string_view command, std::string_view error,
+                         std::string_view configuration = {});
+
 std::string command_json(const Command& command);
 std::string code_json(const Code& code);
 std::string cause_json(Cause cause);

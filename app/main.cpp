@@ -4,6 +4,7 @@
 #include "app/command.h"
 #include "app/course_program.h"
 #include "app/help.h"
+#include "app/json.h"
 #include "app/named_files.h"
 #include "app/option_table.h"
 #include "app/output.h"
@@ -11,12 +12,14 @@
 #include "scenefile/format/recognize.h"
 #include "scenefile/io/interrupt.h"
 #include "scenefile/io/memory.h"
+#include "scenefile/verbs/scene_json.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <new>
@@ -200,9 +203,10 @@ void bound(const Options& options, Context& context) {
   context.max_memory = options.max_memory.value_or(0);
   limit_memory(options.max_memory.value_or(default_memory_limit()));
   if (options.timeout.has_value()) {
-    end_after(
-        *options.timeout,
-        fmt::format("scenefile: stopped: not finished within {} s (--timeout)", *options.timeout));
+    const std::string reason =
+        fmt::format("stopped: not finished within {} s (--timeout)", *options.timeout);
+    end_after(*options.timeout, "scenefile: " + reason,
+              options.json ? failure_json(context.json_command, reason) : std::string());
   }
 }
 
@@ -254,10 +258,16 @@ ExitCode run(std::span<const char* const> words, Context& context) {
     return complain(unknown_command(name), {});
   }
   words = words.subspan(1);
+  if (asks_for_json(*command, words)) {
+    context.json_command = command->name;
+  }
   Configured configured;
   if (const std::string path = config_argument(*command, words); !path.empty()) {
     if (const ExitCode status = read_configuration(path, context, configured);
         status != ExitCode::fine) {
+      const std::optional<Error>& unreadable = configured.file.unreadable;
+      keep_error(unreadable ? unreadable->text : "the configuration cannot be used");
+      context.broken_configuration = scene_json(configured.file);
       return status;
     }
   }
@@ -272,6 +282,54 @@ ExitCode run_course_program(ConfigKind program, std::span<const char* const> wor
   return status != ExitCode::fine || configured.scene.empty()
              ? status
              : run_command(*find_command("render"), words, context, configured);
+}
+
+// Without allocating.
+ExitCode answer_failure_without_memory(const Context& context) {
+  std::array<char, 300> text;
+  const auto end = fmt::format_to_n(text.data(), text.size(),
+                                    "{{\n  \"scenefile\": \"{}\",\n  \"command\": \"{}\",\n  "
+                                    "\"error\": \"out of memory while {}\"\n}}\n",
+                                    SCENEFILE_VERSION, context.json_command, context.phase);
+  const bool written = std::fwrite(text.data(), 1, end.size, stdout) == end.size;
+  return written && std::fflush(stdout) == 0 ? ExitCode::fine : ExitCode::environment;
+}
+
+// Every command that was asked for JSON answers in JSON: one that ends without an answer or another
+// result on standard output failed, and this says why.
+ExitCode answer_failure(ExitCode status, const Context& context) {
+  if (status == ExitCode::fine || context.json_command.empty() || used_standard_output()) {
+    return status;
+  }
+  try {
+    const std::string& errors = kept_errors();
+    return worse(
+        status,
+        answer(failure_json(context.json_command,
+                            errors.empty() ? fmt::format("failed while {}", context.phase) : errors,
+                            context.broken_configuration)));
+  } catch (const std::bad_alloc&) {
+    return worse(status, answer_failure_without_memory(context));
+  }
+}
+
+// Like run(), but nothing is thrown.
+ExitCode run_guarded(std::string_view program, std::span<const char* const> words,
+                     Context& context) {
+  try {
+    const std::optional<ConfigKind> course = course_program(program);
+    return course ? run_course_program(*course, words, context) : run(words, context);
+  } catch (const std::bad_alloc&) {
+    return out_of_memory(context);
+  } catch (const std::exception& error) {
+    say("scenefile: ");
+    say(error.what());
+    say(" while ");
+    keep_error(error.what());
+  }
+  say(context.phase);
+  say("\n");
+  return ExitCode::environment;
 }
 
 }  // namespace
@@ -304,21 +362,8 @@ int main(int argc, char** argv) {
   scenefile::handle_signals();
   Context context;
   context.command_line = argv;
-  // Nothing here may allocate memory.
-  try {
-    const std::span<const char* const> words{argv + std::min(argc, 1),
-                                             static_cast<std::size_t>(std::max(argc - 1, 0))};
-    const auto program = argc > 0 ? course_program(argv[0]) : std::nullopt;
-    return static_cast<int>(program ? run_course_program(*program, words, context)
-                                    : run(words, context));
-  } catch (const std::bad_alloc&) {
-    return static_cast<int>(out_of_memory(context));
-  } catch (const std::exception& error) {
-    say("scenefile: ");
-    say(error.what());
-    say(" while ");
-  }
-  say(context.phase);
-  say("\n");
-  return static_cast<int>(ExitCode::environment);
+  const std::span<const char* const> words{argv + std::min(argc, 1),
+                                           static_cast<std::size_t>(std::max(argc - 1, 0))};
+  const ExitCode status = run_guarded(argc > 0 ? argv[0] : "", words, context);
+  return static_cast<int>(answer_failure(status, context));
 }

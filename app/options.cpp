@@ -492,6 +492,12 @@ std::string config_argument(const Command& command, std::span<const char* const>
              : std::string();
 }
 
+bool asks_for_json(const Command& command, std::span<const char* const> words) {
+  const auto end = std::find(words.begin(), words.end(), std::string_view("--"));
+  return has_option(command, "--json") &&
+         std::find(words.begin(), end, std::string_view("--json")) != end;
+}
+
 bool was_given(const Options& options, std::string_view name) {
   return std::any_of(options.given.begin(), options.given.end(),
                      [&](const GivenOption& given) { return given.row->name == name; });

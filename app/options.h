@@ -145,6 +145,10 @@ std::string parse_options(const Command& command, std::span<const char* const> w
 /// empty.
 std::string config_argument(const Command& command, std::span<const char* const> words);
 
+/// Whether the words after the command contain --json, and the command has this option. The words
+/// may be wrong otherwise.
+bool asks_for_json(const Command& command, std::span<const char* const> words);
+
 /// Whether an option, such as "--samples", was given.
 bool was_given(const Options& options, std::string_view name);
 

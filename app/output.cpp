@@ -13,6 +13,10 @@ namespace scenefile::app {
 
 namespace {
 
+// What this process said on standard error, as long as it is not too much.
+std::string said_errors;
+constexpr std::size_t max_errors_size = 1 << 16;
+
 bool is_set(const char* variable) {
   const char* const value = std::getenv(variable);
   return value != nullptr && *value != '\0';
@@ -61,6 +65,23 @@ void say_error(std::string_view text) {
   say("scenefile: ");
   say(text);
   say("\n");
+  keep_error(text);
+}
+
+void keep_error(std::string_view text) {
+  try {
+    if (said_errors.size() + text.size() < max_errors_size) {
+      said_errors.reserve(said_errors.size() + 2 + text.size());
+      said_errors += said_errors.empty() ? "" : "; ";
+      said_errors += text;
+    }
+  } catch (const std::bad_alloc&) {
+    // It was said.
+  }
+}
+
+const std::string& kept_errors() {
+  return said_errors;
 }
 
 }  // namespace scenefile::app

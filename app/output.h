@@ -29,8 +29,12 @@ ExitCode answer(const std::string& text);
 /// Writes to standard error.
 void say(std::string_view text);
 
-/// Prints "scenefile: " and the text on one line.
+/// Prints "scenefile: " and the text on one line, and keeps the text.
 void say_error(std::string_view text);
+/// Keeps the text of an error that is printed in another way, or not at all.
+void keep_error(std::string_view text);
+/// The errors that were kept, separated by "; ".
+const std::string& kept_errors();
 
 /// Prints the result of `text` after the work is done. Running out of memory here is not a failure.
 template <typename Text>

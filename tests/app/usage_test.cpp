@@ -24,7 +24,11 @@ void is_misuse(const std::vector<std::string>& arguments, const std::string& wor
   const ProgramRun run = run_program(arguments);
   EXPECT_EQ(run.status, 2) << run.err;
   EXPECT_THAT(run.err, HasSubstr(words));
-  EXPECT_EQ(run.out, "");
+  if (std::find(arguments.begin(), arguments.end(), "--json") == arguments.end()) {
+    EXPECT_EQ(run.out, "");
+  } else {
+    EXPECT_THAT(parse_json(run.out)["error"].GetString(), HasSubstr(words));
+  }
 }
 
 TEST(Usage, SuggestsASimilarCommand) {

@@ -32,6 +32,12 @@ def answer(program, arguments):
     return json.loads(run.stdout)
 
 
+def failures(program):
+    """Answers of runs that fail as a whole."""
+    yield answer(program, [])
+    yield answer(program, ["--no-such-option", "scene.xml"])
+
+
 def broken(document):
     """Changes that the schema must reject."""
     def change(edit):
@@ -43,6 +49,8 @@ def broken(document):
     def first(d):
         return d["scenes"][scene]["findings"][document["scenes"][scene]["findings"].index(finding)]
     yield change(lambda d: d.pop("scenefile"))
+    yield change(lambda d: d.pop("scenes"))
+    yield change(lambda d: d.update(error="none"))
     yield change(lambda d: d["scenes"][scene].update(verdict="good"))
     yield change(lambda d: d["scenes"][scene].update(verdict="unreadable"))
     yield change(lambda d: d["scenes"][scene].update(errors=-1))
@@ -57,7 +65,7 @@ def main(program, paths):
     validator = jsonschema.Draft7Validator(schema)
     document = answer(program, list(scenes(paths)))
     complaints = [f"{'/'.join(map(str, e.path))}: {e.message[:200]}"
-                  for e in validator.iter_errors(document)]
+                  for d in (document, *failures(program)) for e in validator.iter_errors(d)]
     complaints += [f"broken answer {i} is accepted" for i, d in enumerate(broken(document))
                    if validator.is_valid(d)]
     verdicts = {s["verdict"] for s in document["scenes"]}

@@ -30,6 +30,9 @@ def answer(program, arguments):
 
 def answers(program, scenes):
     yield answer(program, ["no such file.xml", "--pixel", "1,1"])
+    yield answer(program, ["no such file.ini", "--pixel", "1,1"])
+    yield answer(program, [scenes[0]])
+    yield answer(program, [scenes[0], "--pixel", "1,1", "--mine", "no such file.png"])
     for scene in scenes:
         for way in WAYS:
             for pixel in PIXELS:
@@ -45,6 +48,7 @@ def broken(document):
     def lit(d):
         return next(r for r in d["pixel"]["rays"] if r.get("lights"))
     yield change(lambda d: d.pop("pixel"))
+    yield change(lambda d: d.pop("scene"))
     yield change(lambda d: d.update(error="none"))
     yield change(lambda d: d.update(profile="realtime"))
     yield change(lambda d: d["pixel"]["value"].append(0))

@@ -35,8 +35,11 @@ def answer(program, scene, folder):
     (folder / "class/dan").mkdir()
     (folder / "class/dan/ball.png").write_text("no picture")
     (folder / "class/eve.rar").write_text("not read")
-    run = subprocess.run([program, "grade", folder / "class", "--references", folder / "right", "--json"],
-                         capture_output=True, check=False)
+    return grade(program, folder / "class", folder / "right")
+
+
+def grade(program, folder, references):
+    run = subprocess.run([program, "grade", folder, "--references", references, "--json"], capture_output=True, check=False)
     return json.loads(run.stdout)
 
 
@@ -47,6 +50,7 @@ def broken(document):
         edit(other)
         return other
     yield change(lambda d: d.pop("ignored"))
+    yield change(lambda d: d.update(error="none"))
     yield change(lambda d: d["ignored"][0].pop("reason"))
     yield change(lambda d: d["ignored"][0].update(student=""))
     yield change(lambda d: d["students"][0].pop("unmatched"))
@@ -62,7 +66,9 @@ def main(program, scene):
     validator = jsonschema.Draft7Validator(schema)
     with tempfile.TemporaryDirectory() as folder:
         document = answer(program, scene, pathlib.Path(folder))
-    complaints = [f"{'/'.join(map(str, e.path))}: {e.message[:200]}" for e in validator.iter_errors(document)]
+        failures = [grade(program, "no such folder", folder), grade(program, folder, "no such folder")]
+    complaints = [f"{'/'.join(map(str, e.path))}: {e.message[:200]}"
+                  for d in (document, *failures) for e in validator.iter_errors(d)]
     complaints += [f"broken answer {i} is accepted" for i, d in enumerate(broken(document))
                    if validator.is_valid(d)]
     verdicts = {p["verdict"] for s in document["students"] for p in s["pictures"]}

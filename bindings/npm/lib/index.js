@@ -44,7 +44,12 @@ async function answerOf(words, files, roots) {
   if (done.stdout.length === 0) {
     throw new SceneError(lastLine(done.stderr), done.status, []);
   }
-  return { ...done, answer: JSON.parse(text.decode(done.stdout)) };
+  const answer = JSON.parse(text.decode(done.stdout));
+  // Only a run that failed as a whole has no more to say than why.
+  if (Object.keys(answer).every((key) => ['scenefile', 'command', 'error'].includes(key))) {
+    throw new SceneError(answer.error, done.status, []);
+  }
+  return { ...done, answer };
 }
 
 export async function check(scene, options = {}) {

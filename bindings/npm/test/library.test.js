@@ -59,6 +59,15 @@ test('render refuses a scene with errors', async () => {
   });
 });
 
+test('explain refuses a pixel outside of the picture', async () => {
+  await assert.rejects(explain(scene, 9, 0, { width: 9, height: 9 }), (error) => {
+    assert.ok(error instanceof SceneError);
+    assert.equal(error.status, 2);
+    assert.match(error.message, /9,0 is not in the picture/);
+    return true;
+  });
+});
+
 test('convert and diff agree', async () => {
   const { bytes } = await convert(scene, 'json');
   const json = new TextDecoder().decode(bytes);

@@ -25,12 +25,19 @@ constexpr double grace_seconds = 0.7;
 // State shared with the signal handlers; all of it can be read at any time.
 std::atomic<bool> deferring = false;
 std::atomic<int> pending_signal = 0;
+std::atomic<bool> standard_output_used = false;
 std::array<char, 256> timeout_message;
+std::array<char, 512> timeout_answer;
 static_assert(std::atomic<int>::is_always_lock_free);
 
 [[noreturn]] void end_process(int status) {
   remove_temporaries();
   ::_exit(status);
+}
+
+void write_text(int descriptor, std::string_view text) {
+  // There is nowhere to report a failure.
+  [[maybe_unused]] const ssize_t written = ::write(descriptor, text.data(), text.size());
 }
 
 // A real-time interval timer is not affected by changes of the clock.
@@ -60,17 +67,16 @@ void end_by_timer(int /*signal*/) {
   if (const int signal = pending_signal; signal != 0) {
     end_process(128 + signal);
   }
-  // There is nowhere to report a failure.
-  [[maybe_unused]] const ssize_t written =
-      ::write(STDERR_FILENO, timeout_message.data(), std::strlen(timeout_message.data()));
+  write_text(STDERR_FILENO, timeout_message.data());
+  if (!standard_output_used) {
+    write_text(STDOUT_FILENO, timeout_answer.data());
+  }
   end_process(limit_status);
 }
 
 // The soft limit on CPU time; the system kills the process a little later.
 void end_by_cpu_limit(int /*signal*/) {
-  constexpr std::string_view line =
-      "scenefile: stopped: the system's limit on CPU time was reached\n";
-  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, line.data(), line.size());
+  write_text(STDERR_FILENO, "scenefile: stopped: the system's limit on CPU time was reached\n");
   end_process(limit_status);
 }
 
@@ -119,10 +125,19 @@ void handle_signals() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-void end_after(double seconds, const std::string& message) {
+void end_after(double seconds, const std::string& message, const std::string& answer) {
+  answer.copy(timeout_answer.data(), timeout_answer.size() - 1);
   const std::string line = message.substr(0, timeout_message.size() - 2) + "\n";
   std::copy_n(line.c_str(), line.size() + 1, timeout_message.data());
   start_timer(seconds);
+}
+
+bool used_standard_output() {
+  return standard_output_used;
+}
+
+void use_standard_output() {
+  standard_output_used = true;
 }
 
 DeferredSignals::DeferredSignals() : deferring_before_(deferring.exchange(true)) {}

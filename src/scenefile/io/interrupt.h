@@ -14,8 +14,14 @@ namespace scenefile {
 void handle_signals();
 
 /// After that many seconds, ends the process in the same way, with status 4 and the message (one
-/// line) on standard error.
-void end_after(double seconds, const std::string& message);
+/// line) on standard error. `answer` then goes to standard output, if nothing else was written
+/// there (at most 511 bytes).
+void end_after(double seconds, const std::string& message, const std::string& answer = {});
+
+/// Whether write_file() and the like have begun to write to standard output.
+bool used_standard_output();
+/// They call it before they write.
+void use_standard_output();
 
 /// While an object of this class exists, the first SIGINT, SIGTERM or SIGHUP gives the process
 /// nearly a second to save its state; after that, or at a second signal, it ends as usual. Can be

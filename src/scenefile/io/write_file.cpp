@@ -161,6 +161,9 @@ Result<void> check_writable(const std::string& path) {
 
 Result<void> write_file(const std::string& path, const std::string& bytes) {
   if (const int own = own_descriptor(path, STDOUT_FILENO); own >= 0) {
+    if (own == STDOUT_FILENO) {
+      use_standard_output();
+    }
     return write_error(own == STDOUT_FILENO ? "standard output" : path, write_all(own, bytes));
   }
   Target target;

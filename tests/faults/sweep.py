@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 """Runs each command with each system call and each allocation failing in turn.
 
-    sweep.py PROGRAM SHIM [--points N] [--only render,check] [--kinds memory,write] [--seed 1]
+    sweep.py PROGRAM SHIM [--points N] [--last N] [--only render,check] [--kinds memory,write] [--seed 1]
 
 SHIM is fail_call.c, built for preloading. A first run counts the calls of a kind; then each of them
-(or N of them) fails, once by itself and once with all later ones. Every run must end by itself: with
-status 0 and correct output, or with status 1 to 4, a message, the previous output, and no other file.
+(or N of them; or the last N) fails, once by itself and once with all later ones. Every run must end
+by itself: with status 0 and correct output, or with status 1 to 4, a message, the previous output,
+and no other file. Once the program has started, no exception may end it.
 """
 import argparse
+import json
 import os
 import random
 import shutil
@@ -19,6 +21,7 @@ parser = argparse.ArgumentParser()
 parser.add_argument("program")
 parser.add_argument("shim")
 parser.add_argument("--points", type=int)
+parser.add_argument("--last", type=int)
 parser.add_argument("--only")
 parser.add_argument("--kinds", default="memory,read,write,open,sync,rename,thread")
 parser.add_argument("--seed", type=int, default=1)
@@ -26,6 +29,7 @@ args = parser.parse_args()
 args.program, args.shim = os.path.abspath(args.program), os.path.abspath(args.shim)
 
 OLD = b"what was there before\n"
+LAST_RESORT = b"out of memory while starting or in a thread"  # app/last_resort.cpp
 SECONDS = 20
 SCENE = """<scenefile>
   <globaldata><ambientcoeff v="0.5"/><diffusecoeff v="0.5"/><specularcoeff v="0.5"/></globaldata>
@@ -51,6 +55,7 @@ TRIANGLE = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n"
 COMMANDS = {
     "check": ("check scene.xml", None),
     "info": ("info scene.xml --files --tree", None),
+    "info-json": ("info scene.xml --json", None),
     "render": ("render scene.xml -o out.png --size 8x8 --threads 2", "out.png"),
     "render-layers": ("render scene.xml -o out.exr --size 8x8 --threads 2 --aov depth,normal", "out.exr"),
     "denoise": ("render scene.xml -o out.pfm --size 8x8 --threads 2 --denoise", "out.pfm"),
@@ -110,6 +115,13 @@ def make_inputs(folder):
         write("%s/%s/picture.png" % (folder, place), read(folder + "/picture.png"))
 
 
+def is_json(text):
+    try:
+        return isinstance(json.loads(text), dict)
+    except ValueError:
+        return False
+
+
 def old_output(output):
     """The previous contents of the output file; format also reads them."""
     return SCENE.encode() if output == "out.xml" else OLD
@@ -123,8 +135,8 @@ def list_files(folder):
                            if os.path.splitext(name)[1] not in (".exr", ".json")])
 
 
-def judge(folder, output, good, result):
-    """What is wrong with a run, if anything."""
+def judge(folder, output, good, result, started):
+    """What is wrong with a run, if anything. started: main() had begun."""
     status, said, complained = result
     listing = list_files(folder)
     now = read(folder + "/" + output) if output else None
@@ -132,7 +144,7 @@ def judge(folder, output, good, result):
         return "it hung"
     if status < 0 or status > 4 or status == 2:
         return "status %d" % status
-    if b"terminate called" in complained:
+    if b"terminate called" in complained or (started and LAST_RESORT in complained):
         return "terminate called"
     # A texture that cannot be read is a warning, and gives a different picture.
     warned = b"warning" in complained or (said != good["said"] and b"warning" in said)
@@ -140,6 +152,8 @@ def judge(folder, output, good, result):
         return "status %d, but another output" % status
     if status != good["status"] and not complained.strip() and not said.strip():
         return "no message"
+    if started and good["json"] and not is_json(said):
+        return "status %d, but no answer in JSON" % status
     if status >= 3 and output and now != old_output(output):
         return "the output was touched"
     # Without a texture, a model has one file less next to it.
@@ -158,7 +172,7 @@ class Sweep:
         before = list_files(folder)
         status, said, complained = self.run({})
         self.good = {"status": status, "said": said, "output": read(folder + "/" + self.output) if self.output else None,
-                     "before": before, "listing": list_files(folder)}
+                     "before": before, "listing": list_files(folder), "json": "--json" in self.words}
         if status not in (0, 1):
             sys.exit("%s fails without a fault: %r" % (name, complained))
 
@@ -174,28 +188,30 @@ class Sweep:
     def run(self, environment):
         return run(self.folder, self.words, environment)
 
-    def count(self, kind):
+    def count(self, kind, words):
         self.reset()
         place = self.folder + ".count"
-        self.run({"LD_PRELOAD": args.shim, "FAIL_CALL": kind + ":1", "FAIL_COUNT": place})
+        run(self.folder, words, {"LD_PRELOAD": args.shim, "FAIL_CALL": kind + ":1", "FAIL_COUNT": place})
         return int(read(place) or 0)
 
-    def fail(self, kind, point, more):
+    def fail(self, kind, point, more, started):
         self.reset()
-        wrong = judge(self.folder, self.output, self.good, self.run({"LD_PRELOAD": args.shim, "FAIL_CALL": "%s:%d%s" % (kind, point, more)}))
+        result = self.run({"LD_PRELOAD": args.shim, "FAIL_CALL": "%s:%d%s" % (kind, point, more)})
+        wrong = judge(self.folder, self.output, self.good, result, started)
         self.runs += 1
         if wrong:
             self.failures += 1
             print("%s, %s:%d%s: %s" % (self.name, kind, point, more, wrong), flush=True)
 
     def sweep(self, kind, chance):
-        count = self.count(kind)
-        points = range(1, count + 1)
-        if args.points is not None and args.points < count:
+        count = self.count(kind, self.words)
+        to_start = self.count(kind, "version")
+        points = range(1 if args.last is None else max(1, count - args.last + 1), count + 1)
+        if args.points is not None and args.points < len(points):
             points = sorted(chance.sample(points, args.points))
         for point in points:
             for more in ("", "+"):
-                self.fail(kind, point, more)
+                self.fail(kind, point, more, point > to_start)
         return count
 
 

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 
 namespace scenefile {
 
@@ -266,6 +267,7 @@ struct RayScenes::State {
   RTCDevice device = nullptr;
   std::vector<RTCScene> scenes;
   bool failed = false;
+  int exceptions = std::uncaught_exceptions();  // when it was made
 
   // Reading the error resets it.
   bool good() {
@@ -295,9 +297,10 @@ RayScenes::RayScenes() : state_(std::make_unique<State>()) {
 }
 
 // After a failure, nothing is released: that could wait forever for a task that could not be
-// created.
+// created. Nor because of an exception: it means that memory ran out, and then Embree throws
+// another one.
 RayScenes::~RayScenes() {
-  if (!state_->good()) {
+  if (std::uncaught_exceptions() > state_->exceptions || !state_->good()) {
     return;
   }
   for (RTCScene scene : state_->scenes) {

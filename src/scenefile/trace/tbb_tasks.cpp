@@ -4,10 +4,14 @@
 #include "scenefile/trace/no_denormals.h"
 #include "scenefile/trace/tasks.h"
 
+#include <pthread.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/scalable_allocator.h>
 #include <tbb/task_arena.h>
+
+#include <memory>
+#include <new>
 
 namespace scenefile {
 
@@ -36,16 +40,38 @@ struct InTask {
   bool before_ = now;
 };
 
+void delete_arena(void* arena) {
+  delete static_cast<tbb::task_arena*>(arena);
+}
+
+// Where each thread keeps its arena. Not a thread_local variable: if memory runs out while glibc
+// registers the destructor of one, it ends the process.
+pthread_key_t arena_key() {
+  static const pthread_key_t key = [] {
+    pthread_key_t made{};
+    if (::pthread_key_create(&made, delete_arena) != 0) {
+      throw std::bad_alloc();
+    }
+    return made;
+  }();
+  return key;
+}
+
 // Kept from loop to loop: with a new arena for each of many short loops, TBB 2021.8 sends no more
 // workers. Each thread has its own, so that it never waits for another thread's work.
 tbb::task_arena& arena_of_this_thread() {
-  static thread_local std::unique_ptr<tbb::task_arena> arena;
   const auto threads = static_cast<int>(
       tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-  if (arena == nullptr || arena->max_concurrency() != threads) {
-    arena = std::make_unique<tbb::task_arena>(threads);
+  auto* const old = static_cast<tbb::task_arena*>(::pthread_getspecific(arena_key()));
+  if (old != nullptr && old->max_concurrency() == threads) {
+    return *old;
   }
-  return *arena;
+  auto arena = std::make_unique<tbb::task_arena>(threads);
+  if (::pthread_setspecific(arena_key(), arena.get()) != 0) {
+    throw std::bad_alloc();
+  }
+  delete old;
+  return *arena.release();
 }
 
 }  // namespace

@@ -89,14 +89,17 @@ void append_surfaces(const std::vector<Cell>& cells, std::size_t index, const Pi
 WavePointer WavePool::take() {
   const std::lock_guard lock(mutex_);
   if (free_.empty()) {
-    return make_wave();
+    WavePointer wave = make_wave();
+    free_.reserve(made_ + 1);
+    ++made_;
+    return wave;
   }
   WavePointer wave = std::move(free_.back());
   free_.pop_back();
   return wave;
 }
 
-void WavePool::give(WavePointer wave) {
+void WavePool::give(WavePointer wave) noexcept {
   const std::lock_guard lock(mutex_);
   free_.push_back(std::move(wave));
 }

@@ -5,6 +5,7 @@
 #include "scenefile/trace/surface_sample.h"
 #include "scenefile/trace/wave_memory.h"
 
+#include <cstddef>
 #include <mutex>
 #include <span>
 #include <vector>
@@ -39,10 +40,12 @@ inline std::vector<DrawnPixel> pixels_at(std::span<const glm::ivec2> places) {
 class WavePool {
  public:
   WavePointer take();
-  void give(WavePointer wave);
+  /// A wave that take() returned. Destructors call it, so there is room for it.
+  void give(WavePointer wave) noexcept;
 
  private:
   std::mutex mutex_;
+  std::size_t made_ = 0;  // all waves, free or not
   std::vector<WavePointer> free_;
 };
 

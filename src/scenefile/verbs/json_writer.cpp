@@ -6,6 +6,8 @@
 #include <rapidjson/stringbuffer.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <new>
 
 namespace scenefile {
 
@@ -17,12 +19,32 @@ rapidjson::SizeType length(std::string_view text) {
   return static_cast<rapidjson::SizeType>(text.size());
 }
 
+// RapidJSON does not check whether its allocators return null.
+struct ThrowingAllocator {
+  static constexpr bool kNeedFree = true;
+
+  static void* Malloc(std::size_t size) { return Realloc(nullptr, 0, size); }
+  static void* Realloc(void* old, std::size_t /*old_size*/, std::size_t size) {
+    if (size == 0) {
+      Free(old);
+      return nullptr;
+    }
+    void* const bytes = std::realloc(old, size);
+    if (bytes == nullptr) {
+      throw std::bad_alloc();
+    }
+    return bytes;
+  }
+  static void Free(void* bytes) { std::free(bytes); }
+};
+
 }  // namespace
 
 struct Json::Library {
-  using Buffer = rapidjson::StringBuffer;
+  using Buffer = rapidjson::GenericStringBuffer<rapidjson::UTF8<>, ThrowingAllocator>;
   Buffer buffer;
-  rapidjson::PrettyWriter<Buffer, rapidjson::UTF8<>, rapidjson::ASCII<>> writer{buffer};
+  rapidjson::PrettyWriter<Buffer, rapidjson::UTF8<>, rapidjson::ASCII<>, ThrowingAllocator> writer{
+      buffer};
   std::size_t depth = 0;  // of open objects and arrays
 };
 

@@ -210,14 +210,26 @@ TEST(Gradebook, AlternativesThatDoNotFitAllPicturesAreLeftOut) {
   pictures[0].name = "cube";
   pictures[0].causes[0].what =
       "no shadows; or rays too long; or no lights: these give the same picture";
+  pictures[0].causes[0].alternatives = {"no shadows", "rays too long", "no lights"};
   pictures[1].causes[0].what = "no shadows; or no lights; or no cubes: these give the same picture";
+  pictures[1].causes[0].alternatives = {"no shadows", "no lights", "no cubes"};
   const std::string html = student_html(book.students[1], "t");
   EXPECT_THAT(html, HasSubstr("<b>No shadows</b> <code>shadows</code><br>or no lights<br>"));
   EXPECT_THAT(html, HasSubstr("These give the same picture:</span> <a href=#p0-0>cube"));
   EXPECT_THAT(html, HasSubstr("No shadows; or rays too long; or no lights: these give"));
   EXPECT_THAT(gradebook_html(book, "t"), HasSubstr("No shadows, or another mistake <small>"));
   pictures[1].causes[0].what = "no shadows";
+  pictures[1].causes[0].alternatives.clear();
   EXPECT_THAT(gradebook_html(book, "t"), HasSubstr("<span>No shadows <small>· 2 pictures"));
+}
+
+// Words are not searched for what separates alternatives.
+TEST(Gradebook, WordsOfOneMistakeStayTogether) {
+  Gradebook book = two_students();
+  std::string& what = book.students[1].pictures[1].causes[0].what;
+  what = "this; or that: these give the same picture";
+  EXPECT_THAT(student_html(book.students[1], "t"),
+              HasSubstr("<b>this; or that: these give the same picture</b> <code>shadows"));
 }
 
 TEST(Gradebook, CausesAreCountedForAStudentAndTheClass) {

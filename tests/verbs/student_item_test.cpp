@@ -26,6 +26,7 @@ StudentResult some_student() {
   wrong.measures.linear = true;
   wrong.reasons = {"bad name: \xff\xfe", "two\nlines"};
   wrong.causes = {{static_cast<Cause>(cause_count - 1), "what", "evidence", 0.1, true}};
+  wrong.causes.front().alternatives = {"what", "\xff"};
   wrong.rivals = {{}, {}};
   wrong.notes = {""};
   wrong.identical = "ada, ben";
@@ -54,6 +55,7 @@ TEST(StudentItem, KeepsEveryValue) {
   EXPECT_EQ(read.pictures[1].reasons, student.pictures[1].reasons);
   EXPECT_EQ(read.pictures[1].causes[0].cause, student.pictures[1].causes[0].cause);
   EXPECT_TRUE(read.pictures[1].causes[0].said);
+  EXPECT_EQ(read.pictures[1].causes[0].alternatives, student.pictures[1].causes[0].alternatives);
 }
 
 TEST(StudentItem, RefusesOtherDocuments) {

@@ -200,15 +200,16 @@ void name_ties(const Simulation& sim, const Tried& found, const std::vector<Trie
     Claim& one = report.claims[k];
     one.cause = sim.list[named.front()].cause;
     one.what = sim.list[named.front()].what;
+    std::vector<std::string> others;
     for (std::size_t i = 1; i < named.size(); ++i) {
       const Hypothesis& h = sim.list[named[i]];
-      one.what += "; or " + h.what;
+      others.push_back(h.what);
       if (h.cause != one.cause) {
         report.rivals.push_back(
             {h.cause, h.what, evidence_of_share(found.explained), found.explained, true});
       }
     }
-    one.what += ": these give the same picture";
+    add_alternatives(one, others);
   }
   const auto other = std::find_if(equal.begin(), equal.end(), [&](const Tried& t) {
     return std::none_of(t.mistakes.begin(), t.mistakes.end(),
@@ -248,7 +249,7 @@ void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& 
     name_ties(sim, found, equal_instead(sim, found, several), report);
     return;
   }
-  std::string same;
+  std::vector<std::string> same;
   const Colors shown = sim.predicted(found.mistakes, sim.points.size());
   int same_cause = 0;
   std::set<std::string_view> words{sim.list[found.mistakes.front()].what};
@@ -266,7 +267,7 @@ void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& 
         h.cause == sim.list[found.mistakes.front()].cause &&
         equal_colors(shown, sim.predicted(t.mistakes, sim.points.size()))) {
       ++same_cause;
-      same += "; or " + h.what;
+      same.push_back(h.what);
       words.insert(h.what);
     }
     if (t.mistakes.size() == 1 && !listed && good(t) && report.rivals.size() < 3 &&
@@ -274,13 +275,11 @@ void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& 
       report.rivals.push_back({h.cause, h.what, evidence_of_share(t.explained), t.explained});
       if (t.score.raw <= tie_limit(found.score.raw, b.left)) {
         report.rivals.back().said = true;
-        same += "; or " + h.what;
+        same.push_back(h.what);
       }
     }
   }
-  if (!same.empty()) {
-    report.claims.back().what += same + ": these give the same picture";
-  }
+  add_alternatives(report.claims.back(), same);
 }
 
 // Whether two claims are of one mistake, made twice: then, it imitates another one.

@@ -70,6 +70,9 @@ struct Claim {
   std::string evidence;  ///< how much of the difference it explains, as text
   double explained = 0;  ///< fraction of the difference that the mistake removes, <= 1
   bool said = false;     ///< for a rival: the claim's text already names it
+  /// If several mistakes give the same picture: the words for each, the likeliest first. `what`
+  /// names them all.
+  std::vector<std::string> alternatives = {};
 };
 
 /// The scene of the reference, and how it was drawn: profile, mode, features and depth. Size

@@ -1,6 +1,7 @@
 #include "scenefile/grade/claims.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -24,6 +25,16 @@ std::string evidence_of_several(double together, double without) {
 
 std::string evidence_of_share(double explained) {
   return fmt::format("simulating this mistake explains {} of the difference", percent(explained));
+}
+
+void add_alternatives(Claim& claim, const std::vector<std::string>& others) {
+  if (others.empty()) {
+    return;
+  }
+  claim.alternatives = {claim.what};
+  claim.alternatives.insert(claim.alternatives.end(), others.begin(), others.end());
+  claim.what =
+      fmt::format("{}: these give the same picture", fmt::join(claim.alternatives, "; or "));
 }
 
 }  // namespace scenefile

@@ -2,7 +2,10 @@
 // Texts that both searches for causes share: claims, and descriptions of evidence. Internal to
 // grade.
 
+#include "scenefile/grade/causes.h"
+
 #include <string>
+#include <vector>
 
 namespace scenefile {
 
@@ -16,5 +19,8 @@ std::string evidence_of_one(double left, double before, double exact);
 std::string evidence_of_several(double together, double without);
 /// The share of the difference that a simulated mistake explains.
 std::string evidence_of_share(double explained);
+
+/// Makes the claim name other mistakes, too, that give the same picture. `others`: their words.
+void add_alternatives(Claim& claim, const std::vector<std::string>& others);
 
 }  // namespace scenefile

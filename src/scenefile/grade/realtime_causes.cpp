@@ -473,7 +473,7 @@ class Search {
     if (found.mistakes.size() > 1) {
       return;
     }
-    std::string same;
+    std::vector<std::string> same;
     for (const Tried& t : others) {
       const RealtimeHypothesis& h = list_[t.mistakes.front()];
       const bool listed = h.cause == report_.claims.front().cause ||
@@ -483,14 +483,12 @@ class Search {
           t.score.raw <= found.score.raw + rival_margin * before) {
         report_.rivals.push_back({h.cause, h.what, evidence_of_share(t.explained), t.explained});
         if (t.score.raw <= tie_limit(found.score.raw)) {
-          same += "; or " + h.what;
+          same.push_back(h.what);
           report_.rivals.back().said = true;
         }
       }
     }
-    if (!same.empty()) {
-      report_.claims.back().what += same + ": these give the same picture";
-    }
+    add_alternatives(report_.claims.back(), same);
   }
 
   // ---- causes estimated from the pictures ----------------------------------------------

@@ -70,24 +70,6 @@ struct Mistake {
   std::size_t pictures = 0;
 };
 
-// What a claim says: one mistake, or the likeliest of several that give the same picture, followed
-// by the others.
-std::vector<std::string> alternatives(std::string_view what) {
-  constexpr std::string_view end = ": these give the same picture";
-  constexpr std::string_view between = "; or ";
-  std::vector<std::string> found;
-  if (what.ends_with(end)) {
-    what.remove_suffix(end.size());
-    for (std::size_t at = what.find(between); at != std::string_view::npos;
-         at = what.find(between)) {
-      found.emplace_back(what.substr(0, at));
-      what.remove_prefix(at + between.size());
-    }
-  }
-  found.emplace_back(what);
-  return found;
-}
-
 using ClaimsOf = std::vector<Claim> PictureResult::*;
 
 // The mistakes of a student, the most frequent first.
@@ -103,9 +85,9 @@ std::vector<Mistake> mistakes_of(const StudentResult& student, ClaimsOf claims) 
       if (mistake == mistakes.end()) {
         mistake = mistakes.insert(mistakes.end(), Mistake{claim.cause, {}, 0});
       }
-      std::vector<std::string> instead = alternatives(claim.what);
-      const std::string what = instead.front();
-      instead.erase(instead.begin());
+      std::vector<std::string> instead = claim.alternatives;
+      const std::string what = instead.empty() ? claim.what : instead.front();
+      instead.erase(instead.begin(), instead.begin() + (instead.empty() ? 0 : 1));
       auto shown = std::find_if(mistake->shown.begin(), mistake->shown.end(),
                                 [&](const Mistake::Shown& s) { return s.what == what; });
       if (shown == mistake->shown.end()) {

@@ -40,9 +40,10 @@ void visit_record(T& measures, const Member& member) {
 
 template <ConstOrNot<Claim> T, typename Member>
 void visit_record(T& claim, const Member& member) {
-  auto& [cause, what, evidence, explained, said] = claim;
+  auto& [cause, what, evidence, explained, said, alternatives] = claim;
   member("cause", cause), member("what", what), member("evidence", evidence);
   member("explained", explained), member("said", said);
+  member("alternatives", alternatives);
 }
 
 template <ConstOrNot<PictureResult> T, typename Member>

@@ -106,6 +106,30 @@ TEST(Archive, LimitsAreKept) {
   EXPECT_THAT(visited(bomb, {.bytes = 1 << 20}).entries, IsEmpty());
 }
 
+// libarchive does not recognize a ZIP file without entries.
+TEST(Archive, WithoutEntries) {
+  const TempFolder folder;
+  const std::string empty = "PK\5\6" + std::string(18, '\0');
+  std::string with_comment = empty + "none";
+  with_comment[20] = 4;
+  for (const std::string& bytes : {empty, with_comment, write_archive("a.tar", {}),
+                                   write_archive("a.tgz", {}), write_archive("a.zip", {})}) {
+    SCOPED_TRACE(bytes.size());
+    EXPECT_EQ(visited(bytes).why, "");
+    EXPECT_THAT(visited(bytes).entries, IsEmpty());
+    Visit of_file;
+    ArchiveBudget budget;
+    EXPECT_EQ(visit_archive(folder.write("a.zip", bytes), budget, std::ref(of_file)), "");
+    EXPECT_THAT(of_file.entries, IsEmpty());
+  }
+  std::string with_entries = empty;
+  with_entries[10] = 1;
+  for (const std::string& bytes :
+       {empty.substr(1), empty.substr(0, 21), empty + "x", with_entries}) {
+    EXPECT_THAT(visited(bytes).why, HasSubstr("it cannot be read as an archive: "));
+  }
+}
+
 TEST(Archive, DamageIsReported) {
   EXPECT_THAT(visited("").why, HasSubstr("it cannot be read as an archive: "));
   EXPECT_THAT(visited(std::string(3000, 'Z')).why, HasSubstr("it cannot be read as an archive: "));

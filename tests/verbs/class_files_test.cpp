@@ -86,6 +86,8 @@ TEST(ClassFiles, FoldersArchivesAndNamesOfCourseSystems) {
   pack("jon.tar", {{"work.zip", inner}});
   pack("kim.zip", {{"ball.png"}}, "secret");
   folder.write("lea.zip", "not an archive");
+  folder.write("ann.zip", "PK\5\6" + std::string(18, '\0'));
+  folder.write("bea/hw/empty.zip", "PK\5\6" + std::string(18, '\0'));
   folder.write("max.rar");
   folder.write("ned/hw.zip", inner);
   folder.write("ned/.DS_Store");
@@ -121,6 +123,8 @@ TEST(ClassFiles, FoldersArchivesAndNamesOfCourseSystems) {
                {"jon.tar/work.zip/main.cpp", "(jon) not a picture"},
                {"kim.zip/ball.png", "(kim) protected by a password"},
                {"lea.zip", "(lea) it cannot be read as an archive: Unrecognized archive format"},
+               {"ann.zip", "(ann) it contains no files"},
+               {"bea/hw/empty.zip", "(bea) it contains no files"},
                {"max.rar", "(max) archives of this kind are not read: use .zip, .tar or .tar.gz"},
                {"ned/hw.zip/images/ball.png", "ned/ball"},
                {"ned/hw.zip/main.cpp", "(ned) not a picture"},
@@ -147,9 +151,9 @@ TEST(ClassFiles, FoldersArchivesAndNamesOfCourseSystems) {
   for (const StudentFiles& student : find_class_files(folder.path(), references(usual)).students) {
     names.push_back(student.name);
   }
-  EXPECT_THAT(names, ElementsAre("Ann Lee", "a_doe", "gina", "hal", "ida", "jon", "jsmith", "kim",
-                                 "lea", "leeann", "max", "ned", "olga", "roepia", "smithjohn (123)",
-                                 "smithjohn (777)", "typed"));
+  EXPECT_THAT(names, ElementsAre("Ann Lee", "a_doe", "ann", "bea", "gina", "hal", "ida", "jon",
+                                 "jsmith", "kim", "lea", "leeann", "max", "ned", "olga", "roepia",
+                                 "smithjohn (123)", "smithjohn (777)", "typed"));
 }
 
 TEST(ClassFiles, GradescopeNamesItsFolders) {

@@ -10,8 +10,10 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 #include <locale.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <clocale>
 #include <memory>
 
@@ -239,6 +241,18 @@ class Visitor {
   std::uint64_t position_ = 0;  // in the unpacked tar
 };
 
+// The record that ends a ZIP file. A ZIP file without entries is this record and a comment, which
+// libarchive does not recognize.
+constexpr std::size_t end_of_zip_size = 22;
+
+// `start`: the first bytes of a file.
+bool is_empty_zip(std::string_view start, std::uint64_t size) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(start[i]); };
+  return start.size() >= end_of_zip_size && start.starts_with("PK\5\6") &&
+         start.substr(4, 16).find_first_not_of('\0') == std::string_view::npos &&
+         size == end_of_zip_size + byte(20) + 256U * byte(21);
+}
+
 // `open` gives the archive to libarchive, and returns its status.
 template <typename Open>
 std::string visit_opened(ArchiveBudget& budget, const VisitEntry& visit, const Open& open) {
@@ -274,6 +288,11 @@ std::string visit_archive(const std::string& path, ArchiveBudget& budget, const 
     const std::string named = path + ": ";
     return text.starts_with(named) ? text.substr(named.size()) : text;
   }
+  std::array<char, end_of_zip_size> start{};
+  const ssize_t got = ::pread(file->descriptor.get(), start.data(), start.size(), 0);
+  if (got > 0 && is_empty_zip({start.data(), static_cast<std::size_t>(got)}, file->size)) {
+    return {};
+  }
   return visit_opened(budget, visit, [&](const Library& library, ::archive* archive) {
     return library.read_open_fd(archive, file->descriptor.get(), std::size_t{1} << 16);
   });
@@ -281,6 +300,9 @@ std::string visit_archive(const std::string& path, ArchiveBudget& budget, const 
 
 std::string visit_archive_bytes(std::string_view bytes, ArchiveBudget& budget,
                                 const VisitEntry& visit) {
+  if (is_empty_zip(bytes, bytes.size())) {
+    return {};
+  }
   return visit_opened(budget, visit, [&](const Library& library, ::archive* archive) {
     return library.read_open_memory(archive, bytes.data(), bytes.size());
   });

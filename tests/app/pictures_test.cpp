@@ -540,6 +540,32 @@ TEST_F(Grade, SymbolicLinksAreNotFollowed) {
   EXPECT_THAT(run.out, HasSubstr("ball: unreadable: a symbolic link was submitted"));
 }
 
+TEST_F(Grade, AReferenceThatIsALinkToNothingIsAnError) {
+  make_folders({"references", "class/eve"});
+  folder.write("references/ball.png", folder.read("right.png"));
+  std::filesystem::create_symlink("nothing", folder.path("references/cube.png"));
+  const ProgramRun run = in_folder({"grade", "class", "--references", "references"});
+  EXPECT_EQ(run.status, 3);
+  EXPECT_THAT(run.err, HasSubstr("references/cube.png: cannot open: No such file"));
+}
+
+TEST_F(Grade, MistakesThatGiveTheSamePictureAreListed) {
+  make_folders({"references", "class/eve"});
+  folder.write("references/ball.png", folder.read("right.png"));
+  folder.write("references/ball.xml", folder.read("ball.xml"));
+  folder.write("class/eve/ball.png", folder.read("wrong.png"));
+  const Words grade{"grade", "class", "--references", "references"};
+  // The second time, the result is read from the store.
+  for (const Words& more : {Words{"--pages", "a"},
+                            {"--store", "kept", "--pages", "b"},
+                            {"--store", "kept", "--pages", "c"}}) {
+    EXPECT_EQ(in_folder(grade + more).status, 1);
+    EXPECT_THAT(folder.read(more.back() + "/eve.html"),
+                HasSubstr("<b>The ambient term is added twice</b> <code>ambient</code><br>or the "
+                          "ambient term is missing the global coefficient<br>"));
+  }
+}
+
 TEST_F(Grade, OneStudentWhoPasses) {
   for (const char* name : {"references", "mine"}) {
     std::filesystem::create_directory(folder.path(name));

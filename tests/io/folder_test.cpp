@@ -44,11 +44,12 @@ TEST(Folder, FilesBelowAreInNaturalOrder) {
   }
   std::filesystem::create_directory_symlink("..", folder.path("a/up"));
   std::filesystem::create_symlink("../b9", folder.path("a/link"));
+  std::filesystem::create_symlink("nowhere", folder.path("a/lost"));
   std::vector<Error> errors;
   const std::string at = folder.path() + "/";
-  EXPECT_EQ(
-      files_below(folder.path(), errors),
-      (std::vector{at + "b9", at + "b10", at + "a/2", at + "a/10", at + "a/link", at + "Z/1"}));
+  EXPECT_EQ(files_below(folder.path(), errors),
+            (std::vector{at + "b9", at + "b10", at + "a/2", at + "a/10", at + "a/link",
+                         at + "a/lost", at + "Z/1"}));
   EXPECT_TRUE(errors.empty());
 }
 

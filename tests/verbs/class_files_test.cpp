@@ -156,6 +156,19 @@ TEST(ClassFiles, FoldersArchivesAndNamesOfCourseSystems) {
                                  "smithjohn (123)", "smithjohn (777)", "typed"));
 }
 
+TEST(FoundFiles, FoldersAreThoseBelowTheSearchedOne) {
+  for (const auto& [folder, path] : {std::pair("refs", "refs/a/b/c.d.png"),
+                                     {"refs/", "refs/a/b/c.d.png"},
+                                     {".", "a/b/c.d.png"},
+                                     {"/", "/a/b/c.d.png"}}) {
+    const FoundFile file = found_file(folder, path);
+    EXPECT_EQ(file.path, path);
+    EXPECT_THAT(file.folders, ElementsAre("a", "b"));
+    EXPECT_EQ(file.stem, "c.d");
+  }
+  EXPECT_TRUE(found_file("refs", "refs/a.png").folders.empty());
+}
+
 TEST(ClassFiles, GradescopeNamesItsFolders) {
   const TempFolder folder;
   folder.write("submission_metadata.yml",

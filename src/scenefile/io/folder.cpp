@@ -48,7 +48,7 @@ Listing list(const std::string& folder) {
     }
     if (i->is_directory(unknown) && !i->is_symlink(unknown)) {
       listing.folders.push_back((prefix / name).string());
-    } else if (i->is_regular_file(unknown)) {
+    } else if (i->is_regular_file(unknown) || !i->exists(unknown)) {
       listing.files.push_back((prefix / name).string());
     }
   }

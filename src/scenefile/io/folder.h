@@ -65,8 +65,9 @@ bool is_link(const std::string& path);
 bool natural_less(const std::string& first, const std::string& second);
 
 /// Paths of the regular files in a folder and its subfolders, in natural order, files before
-/// folders. Follows links to files, but not to folders. Skips junk and hidden ones. Folders that
-/// cannot be listed are added to `errors`.
+/// folders. Follows links to files, but not to folders; those that lead nowhere are among the
+/// files, to be reported by whoever opens them. Skips junk and hidden ones. Folders that cannot be
+/// listed are added to `errors`.
 std::vector<std::string> files_below(const std::string& folder, std::vector<Error>& errors);
 
 /// Creates the folder and missing parents, accessible only to the user.

@@ -8,6 +8,7 @@
 #include "scenefile/io/archive.h"
 #include "scenefile/io/descriptor.h"
 #include "scenefile/io/file.h"
+#include "scenefile/io/folder.h"
 #include "scenefile/verbs/class_files.h"
 #include "scenefile/verbs/grade_files.h"
 #include "scenefile/verbs/load_file.h"
@@ -151,9 +152,22 @@ struct ClassGrader::State {
   }
 
   Result<void> load_references(const LoadShownScene& load_scene) {
+    std::vector<Error> errors;
+    const auto found_below = [&](const std::string& folder, bool (*wanted)(std::string_view)) {
+      std::vector<FoundFile> found;
+      for (const std::string& path : files_below(folder, errors)) {
+        if (wanted(path)) {
+          found.push_back(found_file(folder, path));
+        }
+      }
+      return found;
+    };
     const std::vector<FoundFile> scenes =
-        files_below(request_.scenes.empty() ? request_.references : request_.scenes, is_scene_name);
-    files_ = files_below(request_.references, is_picture_name);
+        found_below(request_.scenes.empty() ? request_.references : request_.scenes, is_scene_name);
+    files_ = found_below(request_.references, is_picture_name);
+    if (!errors.empty()) {
+      return errors.front();
+    }
     for (const FoundFile& file : files_) {
       add_input("reference", file.path);
     }

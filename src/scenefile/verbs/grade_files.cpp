@@ -12,9 +12,6 @@ namespace scenefile {
 
 namespace {
 
-constexpr std::size_t max_files = 20000;
-constexpr int max_folders = 8;
-
 // Only letters and digits, in lower case.
 std::string plain(std::string_view name) {
   std::string result;
@@ -49,30 +46,6 @@ std::string meaning(std::string_view folder) {
     }
   }
   return word;
-}
-
-void add_files(const std::string& folder, bool (*wanted)(std::string_view),
-               const std::vector<std::string>& above, std::vector<FoundFile>& files) {
-  for (const FolderEntry& entry : entries_of(folder)) {
-    if (files.size() >= max_files) {
-      return;
-    }
-    if (is_hidden_name(entry.name)) {
-      continue;
-    }
-    if (entry.folder && !entry.link) {
-      if (above.size() < max_folders) {
-        std::vector<std::string> inside = above;
-        inside.push_back(entry.name);
-        add_files(entry.path, wanted, inside, files);
-      }
-      continue;
-    }
-    if (wanted(entry.name)) {
-      const std::string ending = ending_of(entry.name);
-      files.push_back({entry.path, above, entry.name.substr(0, entry.name.size() - ending.size())});
-    }
-  }
 }
 
 // Without what file managers add to copies: "ball (1)", "ball copy".
@@ -231,11 +204,19 @@ int folder_score(const FoundFile& reference, const FoundFile& picture) {
 
 }  // namespace
 
-std::vector<FoundFile> files_below(const std::string& folder,
-                                   bool (*wanted)(std::string_view name)) {
-  std::vector<FoundFile> files;
-  add_files(folder, wanted, {}, files);
-  return files;
+FoundFile found_file(const std::string& folder, const std::string& path) {
+  FoundFile file{path, {}, {}};
+  // "." is not part of the paths below it.
+  std::string_view rest(path);
+  rest.remove_prefix(folder == "." ? 0 : folder.size());
+  rest.remove_prefix(std::min(rest.find_first_not_of('/'), rest.size()));
+  for (std::size_t slash = rest.find('/'); slash != std::string_view::npos;
+       slash = rest.find('/')) {
+    file.folders.emplace_back(rest.substr(0, slash));
+    rest.remove_prefix(slash + 1);
+  }
+  file.stem = rest.substr(0, rest.size() - ending_of(rest).size());
+  return file;
 }
 
 std::string ending_of(std::string_view name) {

@@ -25,11 +25,8 @@ std::string file_name(const FoundFile& file);
 /// The extension of a name in lower case, with the dot; empty if there is none.
 std::string ending_of(std::string_view name);
 
-/// The files below `folder` with suitable names, sorted by name; at most 8 folders deep. Skips
-/// files that archivers and operating systems add (`__MACOSX`, names that start with a dot). Does
-/// not follow links to folders.
-std::vector<FoundFile> files_below(const std::string& folder,
-                                   bool (*wanted)(std::string_view name));
+/// A file whose path is one of files_below(folder).
+FoundFile found_file(const std::string& folder, const std::string& path);
 
 /// Whether the path refers to the file: it is the whole path, or the last folders and the name,
 /// with or without the extension, in upper or lower case.

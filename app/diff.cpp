@@ -169,20 +169,16 @@ std::string json_text(const LoadedPicture& a, const LoadedPicture& b, const Load
 
 ExitCode write_maps(const Options& options, const Texture& a, const Texture& b,
                     const PictureComparison& found, Context& context) {
-  ExitCode status = ExitCode::fine;
+  if (options.heatmap.empty() && options.sheet.empty()) {
+    return ExitCode::fine;
+  }
   const Texture heat = heat_map(a, b);
-  if (!options.heatmap.empty()) {
-    status = save_picture(options.heatmap, heat, context);
+  const Texture flip = flip_picture(found.flip_errors, a.width, a.height);
+  std::vector<const Texture*> sheet{&a, &b, &heat};
+  if (!flip.empty()) {
+    sheet.push_back(&flip);
   }
-  if (!options.sheet.empty()) {
-    const Texture flip = flip_picture(found.flip_errors, a.width, a.height);
-    std::vector<const Texture*> pictures{&a, &b, &heat};
-    if (!flip.empty()) {
-      pictures.push_back(&flip);
-    }
-    status = worse(status, save_picture(options.sheet, side_by_side(pictures), context));
-  }
-  return status;
+  return save_maps(options, heat, sheet, context);
 }
 
 // If one input is a scene, reports that instead of a decoding error.

@@ -4,7 +4,6 @@
 #include "app/output.h"
 #include "app/progress.h"
 #include "scenefile/base/text.h"
-#include "scenefile/compare/sheet.h"
 #include "scenefile/io/file.h"
 #include "scenefile/verbs/compare_paths.h"
 #include "scenefile/verbs/scene_json.h"
@@ -12,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace scenefile::app {
@@ -26,16 +26,10 @@ struct Judged {
 
 ExitCode write_pictures_of(const Options& options, const PathTruth& truth, const Texture& mine,
                            const PathVerdict& verdict, Context& context) {
-  ExitCode status = ExitCode::fine;
   const Texture map = significance_picture(truth, verdict);
-  if (!options.heatmap.empty()) {
-    status = save_picture(options.heatmap, map, context);
-  }
-  if (!options.sheet.empty()) {
-    const Texture right = truth_picture(truth);
-    const std::vector<const Texture*> pictures{&right, &mine, &map};
-    status = worse(status, save_picture(options.sheet, side_by_side(pictures), context));
-  }
+  const Texture right = truth_picture(truth);
+  const std::array<const Texture*, 3> sheet{&right, &mine, &map};
+  ExitCode status = save_maps(options, map, sheet, context);
   if (!options.energy.empty()) {
     if (const std::string error = error_text(write_file(options.energy, energy_svg(verdict)));
         !error.empty()) {

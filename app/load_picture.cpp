@@ -6,6 +6,7 @@
 #include "scenefile/asset/image_file.h"
 #include "scenefile/base/report.h"
 #include "scenefile/base/text.h"
+#include "scenefile/compare/sheet.h"
 #include "scenefile/io/file.h"
 
 #include <fmt/format.h>
@@ -85,6 +86,18 @@ ExitCode save_picture(const std::string& path, const Texture& picture, Context& 
     say_error(error);
   }
   return error.empty() ? ExitCode::fine : ExitCode::environment;
+}
+
+ExitCode save_maps(const Options& options, const Texture& map,
+                   std::span<const Texture* const> sheet, Context& context) {
+  ExitCode status = ExitCode::fine;
+  if (!options.heatmap.empty()) {
+    status = save_picture(options.heatmap, map, context);
+  }
+  if (!options.sheet.empty()) {
+    status = worse(status, save_picture(options.sheet, side_by_side(sheet), context));
+  }
+  return status;
 }
 
 }  // namespace scenefile::app

@@ -5,6 +5,10 @@
 #include "scenefile/asset/image_file.h"
 #include "scenefile/verbs/compare_pictures.h"
 
+#include <optional>
+#include <span>
+#include <string>
+
 namespace scenefile::app {
 
 struct LoadedPicture {
@@ -32,3 +36,7 @@ bool is_picture_file(const std::string& path);
 ExitCode save_picture(const std::string& path, const Texture& picture, Context& context);
 
 }  // namespace scenefile::app
+/// Writes the map to --heatmap, and the pictures next to each other to --sheet, if they are given.
+/// Reports failures.
+ExitCode save_maps(const Options& options, const Texture& map,
+                   std::span<const Texture* const> sheet, Context& context);

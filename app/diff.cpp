@@ -10,7 +10,6 @@
 #include "scenefile/base/text.h"
 #include "scenefile/compare/sheet.h"
 #include "scenefile/format/recognize.h"
-#include "scenefile/io/file.h"
 #include "scenefile/verbs/compare_pictures.h"
 #include "scenefile/verbs/compare_scenes.h"
 #include "scenefile/verbs/scene_json.h"
@@ -21,6 +20,7 @@
 #include <array>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace scenefile::app {
@@ -182,12 +182,10 @@ ExitCode write_maps(const Options& options, const Texture& a, const Texture& b,
 }
 
 // If one input is a scene, reports that instead of a decoding error.
-void report_scene_input(LoadedPicture& loaded, const LoadedPicture& other) {
-  if (loaded.status != ExitCode::findings || !other.error.empty() || !is_scene_name(loaded.path)) {
-    return;
-  }
-  if (const Result<std::string> text = read_file(loaded.path, Limits{}.file_bytes);
-      text && has_scene_parts(*text)) {
+void report_scene_input(const PictureInput& input, LoadedPicture& loaded,
+                        const LoadedPicture& other) {
+  if (loaded.status == ExitCode::findings && other.error.empty() && is_scene_name(loaded.path) &&
+      input.bytes && *input.bytes && has_scene_parts(**input.bytes)) {
     loaded.error = fmt::format(
         "{} is a scene and {} a picture; compare two scenes, or two pictures and name their scene "
         "with --scene",
@@ -209,21 +207,22 @@ PictureComparison compare(const LoadedPicture& a, const LoadedPicture& b, const 
 }
 
 // The first one is the reference.
-ExitCode diff_images(const Options& options, Context& context) {
+ExitCode diff_images(const Options& options, std::vector<PictureInput> inputs, Context& context) {
   if (const Outcome refused = check_named_outputs(options); refused.status != ExitCode::fine) {
     say_error(refused.error);
     return refused.status;
   }
   std::vector<LoadedPicture> pictures;
-  for (const std::string& path : options.arguments) {
-    pictures.push_back(load_picture(path, options.layer, context));
+  for (const PictureInput& input : inputs) {
+    pictures.push_back(load_picture(input, options.layer, context));
   }
   LoadedPicture& a = pictures.front();
   LoadedPicture& b = pictures.back();
   if (pictures.size() > 1) {
-    report_scene_input(a, b);
-    report_scene_input(b, a);
+    report_scene_input(inputs.front(), a, b);
+    report_scene_input(inputs.back(), b, a);
   }
+  inputs.clear();
   if (const ExitCode status = worse(a.status, b.status); status != ExitCode::fine) {
     for (const LoadedPicture& loaded : pictures) {
       if (!loaded.error.empty() && !options.json) {
@@ -268,13 +267,20 @@ ExitCode diff_images(const Options& options, Context& context) {
 }  // namespace
 
 ExitCode run_diff(const Options& options, Context& context) {
-  const bool pictures =
-      std::any_of(options.arguments.begin(), options.arguments.end(), is_picture_file);
+  std::vector<PictureInput> inputs;
+  for (const std::string& path : options.arguments) {
+    inputs.push_back(read_ahead(path));
+  }
+  const bool pictures = std::any_of(inputs.begin(), inputs.end(), is_picture);
   if (!pictures && options.arguments.size() < 2) {
     say_error("diff needs 2 names: scenefile diff A B");
     return ExitCode::usage;
   }
-  return pictures ? diff_images(options, context) : diff_scenes(options, context);
+  if (pictures) {
+    return diff_images(options, std::move(inputs), context);
+  }
+  inputs.clear();
+  return diff_scenes(options, context);
 }
 
 }  // namespace scenefile::app

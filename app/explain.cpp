@@ -18,7 +18,7 @@ ExitCode load_mine(Options& options, LoadedPicture& mine, Context& context) {
   if (options.mine.empty()) {
     return ExitCode::fine;
   }
-  mine = load_picture(options.mine, options.layer, context);
+  mine = load_picture({options.mine}, options.layer, context);
   if (!mine.error.empty()) {
     say_error(mine.error);
     return mine.status;

@@ -13,11 +13,14 @@
 
 namespace scenefile::app {
 
-LoadedPicture load_picture(const std::string& path, const std::string& layer, Context& context) {
+LoadedPicture load_picture(const PictureInput& input, const std::string& layer, Context& context) {
   context.phase = "reading a picture";
   LoadedPicture loaded;
-  loaded.path = path;
-  Result<DecodedPicture> picture = load_picture_file(path, layer);
+  loaded.path = input.path;
+  Result<DecodedPicture> picture = !input.bytes ? load_picture_file(input.path, layer)
+                                   : *input.bytes
+                                       ? decode_picture_file(**input.bytes, input.path, layer)
+                                       : Result<DecodedPicture>(input.bytes->error());
   if (picture) {
     loaded.picture = *std::move(picture);
   } else {
@@ -61,18 +64,22 @@ CompareSettings compare_settings(const Options& options) {
   return settings;
 }
 
-bool is_picture_file(const std::string& path) {
-  if (path == "-" || path.starts_with("/dev/") || path.starts_with("/proc/")) {
-    return false;
+PictureInput read_ahead(const std::string& path) {
+  PictureInput input{path};
+  if (path != "-" && !path.starts_with("/dev/") && !path.starts_with("/proc/")) {
+    input.bytes = read_file(path, Limits{}.file_bytes);
   }
-  const Result<std::string> bytes = read_file(path, Limits{}.file_bytes);
-  if (!bytes) {
-    return is_picture_name(path);
+  return input;
+}
+
+bool is_picture(const PictureInput& input) {
+  if (!input.bytes || !*input.bytes) {
+    return input.bytes && is_picture_name(input.path);
   }
-  const std::size_t start = bytes->find_first_not_of(" \t\r\n");
-  const bool markup =
-      start != std::string::npos && ((*bytes)[start] == '<' || (*bytes)[start] == '{');
-  return is_image(*bytes) || (is_picture_name(path) && !markup);
+  const std::string& bytes = **input.bytes;
+  const std::size_t start = bytes.find_first_not_of(" \t\r\n");
+  const bool markup = start != std::string::npos && (bytes[start] == '<' || bytes[start] == '{');
+  return is_image(bytes) || (is_picture_name(input.path) && !markup);
 }
 
 ExitCode save_picture(const std::string& path, const Texture& picture, Context& context) {

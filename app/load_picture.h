@@ -11,6 +11,13 @@
 
 namespace scenefile::app {
 
+/// A file that is or may be a picture.
+struct PictureInput {
+  std::string path;  ///< as given
+  /// What it contains; nullopt: not read yet.
+  std::optional<Result<std::string>> bytes = {};
+};
+
 struct LoadedPicture {
   std::string path;  ///< as given
   DecodedPicture picture;
@@ -19,7 +26,7 @@ struct LoadedPicture {
 };
 
 /// `layer`: of EXR files with layers.
-LoadedPicture load_picture(const std::string& path, const std::string& layer, Context& context);
+LoadedPicture load_picture(const PictureInput& input, const std::string& layer, Context& context);
 
 /// Loads the scene of --scene. If it is not usable, reports that and returns it without assets.
 LoadedScene load_scene_of_pictures(const std::string& path, const Options& options,
@@ -28,15 +35,17 @@ LoadedScene load_scene_of_pictures(const std::string& path, const Options& optio
 /// The settings of diff and grade.
 CompareSettings compare_settings(const Options& options);
 
+/// Reads the file, unless it may be readable only once, such as standard input.
+PictureInput read_ahead(const std::string& path);
 /// Whether the file is a picture, by its first bytes, or by its name if it does not begin like a
-/// scene; false for standard input.
-bool is_picture_file(const std::string& path);
+/// scene; false if it was not read.
+bool is_picture(const PictureInput& input);
 
 /// Writes a PNG file. Reports failures.
 ExitCode save_picture(const std::string& path, const Texture& picture, Context& context);
-
-}  // namespace scenefile::app
 /// Writes the map to --heatmap, and the pictures next to each other to --sheet, if they are given.
 /// Reports failures.
 ExitCode save_maps(const Options& options, const Texture& map,
                    std::span<const Texture* const> sheet, Context& context);
+
+}  // namespace scenefile::app

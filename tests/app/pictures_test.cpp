@@ -5,6 +5,11 @@
 #include "support/jpeg_bytes.h"
 #include "support/write_archive.h"
 
+#ifdef __linux__
+#include <sys/inotify.h>
+#include <unistd.h>
+#endif
+
 #include <fmt/format.h>
 #include <glm/glm.hpp>
 #include <gmock/gmock.h>
@@ -451,6 +456,31 @@ TEST_F(DiffImages, ASceneIsNotAPicture) {
     EXPECT_EQ(mixed.out, "");
   }
 }
+
+#ifdef __linux__
+// How often a file is opened while the program runs.
+int times_opened(const TempFolder& folder, const std::string& name, const Words& words) {
+  const int watch = ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
+  EXPECT_GE(::inotify_add_watch(watch, folder.path(name).c_str(), IN_OPEN), 0);
+  run_program(words, {.folder = folder.path()});
+  int opened = 0;
+  inotify_event event{};
+  while (::read(watch, &event, sizeof event) == static_cast<ssize_t>(sizeof event)) {
+    ++opened;
+  }
+  ::close(watch);
+  return opened;
+}
+
+TEST_F(DiffImages, ReadsEachPictureOnce) {
+  for (const Words& words : {Words{"diff", "right.png", "wrong.png"},
+                             {"diff", "right.png", "wrong.png", "--scene", "ball.xml"},
+                             {"diff", "ball.xml", "wrong.png"}}) {
+    EXPECT_EQ(times_opened(folder, "wrong.png", words), 1) << words.size();
+  }
+  EXPECT_EQ(times_opened(folder, "ball.xml", {"diff", "ball.xml", "wrong.png"}), 1);
+}
+#endif
 
 TEST_F(DiffImages, NamesTheWorstRegion) {
   const ProgramRun run = in_folder({"diff", "right.png", "wrong.png", "--scene", "ball.xml"});

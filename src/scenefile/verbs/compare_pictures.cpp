@@ -13,6 +13,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <new>
 #include <set>
 
 namespace scenefile {
@@ -293,13 +294,23 @@ PixelRegion telling_rows(const Texture& picture) {
   return best;
 }
 
+// Our picture of the scene. If memory runs out, what was found so far would be another answer.
+RenderResult our_picture(const LoadedScene& scene, const RenderOptions& options,
+                         RenderControl control = {}) {
+  RenderResult drawn = render(scene.ready.scene, scene.assets, options, std::move(control));
+  if (drawn.status == RenderStatus::failed) {
+    throw std::bad_alloc();
+  }
+  return drawn;
+}
+
 // The share of the values in these rows that our picture of the scene has within rounding.
 double share_of_equal_values(const Texture& reference, const PixelRegion& rows,
                              const LoadedScene& scene, RenderOptions options) {
   options.width = reference.width;
   options.height = reference.height;
   options.crop = rows;
-  const RenderResult drawn = render(scene.ready.scene, scene.assets, options);
+  const RenderResult drawn = our_picture(scene, options);
   if (drawn.status != RenderStatus::complete) {
     return 0;
   }
@@ -415,7 +426,7 @@ std::optional<Texture> drawn_like(const PicturePlace& place, const Texture& test
   options.crop = visible(place, test);
   RenderControl control;
   control.progress = go_on ? [&go_on](double) { return go_on(0); } : Progress();
-  const RenderResult drawn = render(scene.ready.scene, scene.assets, options, std::move(control));
+  const RenderResult drawn = our_picture(scene, options, std::move(control));
   if (drawn.status != RenderStatus::complete) {
     return std::nullopt;
   }

@@ -49,7 +49,7 @@ struct EditingTest : testing::SessionFixture {
   }
   // As the panel's widgets do it.
   void drag_value(std::string_view name, std::size_t part, const std::string& value) {
-    const EditInProgress* const edit = begin_edit(session);
+    const EditInProgress* const edit = begin_edit(session, 1);
     ASSERT_NE(edit, nullptr);
     const FieldView view = field(edit->before, edit->item, name);
     continue_edit(session, set_value(edit->before, edit->item, view, part, value));
@@ -123,6 +123,51 @@ TEST_F(EditingTest, EscapeTakesBackADrag) {
   EXPECT_EQ(text(), testing::scene_text);
   EXPECT_TRUE(session.editing.done.empty());
   EXPECT_EQ(selected(), "cube");
+}
+
+TEST_F(EditingTest, AnotherFieldBeginsAnotherStep) {
+  select_label("sphere");
+  drag_value("diffuse", 0, "0.5");
+  const EditInProgress* const edit = begin_edit(session, 2);
+  ASSERT_NE(edit, nullptr);
+  continue_edit(session, set_value(edit->before, edit->item,
+                                   field(edit->before, edit->item, "translate"), 1, "0.25"));
+  finish_edit(session);
+  EXPECT_EQ(session.editing.done.size(), 2U);
+  EXPECT_THAT(text(), HasSubstr(R"(<diffuse r="0.5" g="0" b="0"/>)"));
+  EXPECT_THAT(text(), HasSubstr(R"(<translate x="-1" y="0.25" z="0"/>)"));
+}
+
+TEST_F(EditingTest, AnEditEndsTheDragOfAHandle) {
+  select_label("cube");
+  const std::optional<HandleSet> set = handles_of(session);
+  ASSERT_TRUE(set.has_value());
+  pointer_moved(session, handle_lines(session, *set, 1).front().points.back());
+  pointer_pressed(session, 0, {});
+  pointer_moved(session, session.pointer.at + glm::dvec2(20, 0));
+  perform(session, Action::remove);
+  const std::string removed = text();
+  EXPECT_THAT(removed, Not(HasSubstr("cube")));
+  pointer_moved(session, session.pointer.at + glm::dvec2(20, 0));
+  pointer_released(session);
+  settle();
+  EXPECT_EQ(text(), removed);
+}
+
+TEST_F(EditingTest, UndoSelectsWhatWasSelected) {
+  select_label("cube");
+  perform(session, Action::remove);
+  settle();
+  EXPECT_NE(selected(), "cube");
+  perform(session, Action::undo);
+  settle();
+  EXPECT_EQ(selected(), "cube");
+  perform(session, Action::duplicate);
+  settle();
+  perform(session, Action::undo);
+  settle();
+  EXPECT_EQ(selected(), "cube");
+  EXPECT_TRUE(selected_item(session).has_value());
 }
 
 TEST_F(EditingTest, TheSelectionFollowsTheEdit) {
@@ -240,6 +285,8 @@ TEST_F(EditingTest, NothingIsLostWithoutAQuestion) {
   perform(session, Action::quit);
   EXPECT_FALSE(session.quit);
   key_pressed(session, {"1"});
+  EXPECT_TRUE(session.question.has_value()) << "a digit alone may be meant for a field";
+  key_pressed(session, {"1", true});
   EXPECT_TRUE(session.quit);
   EXPECT_THAT(file(), HasSubstr(R"(r="0.5")"));
   session.quit = false;
@@ -247,7 +294,7 @@ TEST_F(EditingTest, NothingIsLostWithoutAQuestion) {
   EXPECT_TRUE(session.quit) << "all is saved";
   drag_value("diffuse", 0, "0.75");
   open_scene(session, other);
-  answer("Lose");
+  answer("Discard");
   settle();
   EXPECT_EQ(session.path, other);
   EXPECT_THAT(file(), HasSubstr(R"(r="0.5")"));
@@ -267,7 +314,9 @@ TEST_F(EditingTest, SavesUnderAnotherName) {
     perform(session, Action::save_as);
     session.question->path = folder.path(wrong);
     answer("Save");
-    EXPECT_TRUE(session.notice->bad) << wrong;
+    ASSERT_TRUE(session.question.has_value()) << "it can be mended";
+    EXPECT_EQ(session.question->path, folder.path(wrong));
+    answer("Cancel");
     EXPECT_FALSE(std::filesystem::exists(folder.path(wrong)));
   }
   perform(session, Action::save_as);

@@ -75,8 +75,9 @@ void follow(std::optional<EditedPart>& part, const Edit& edit) {
 // Makes an edit, and returns the step that it is.
 EditStep made(Session& session, const Edit& edit) {
   Editing& editing = session.editing;
-  EditStep step{edit, inverse(editing.text, edit)};
+  EditStep step{edit, inverse(editing.text, edit), editing.part, {}};
   follow(editing.part, edit);
+  step.part_after = editing.part;
   set_text(session, applied(editing.text, edit));
   return step;
 }
@@ -164,10 +165,14 @@ void move_to(Session& session, const std::string& path) {
 void save_at(Session& session, const std::string& path) {
   finish_edit(session);
   if (const std::string wrong = wrong_path(session, path); !wrong.empty()) {
-    say(session, wrong, true);
+    ask_where_to_save(session, path, wrong);
     return;
   }
-  if (stamp_of(path).exists && absolute_path(path) != absolute_path(session.path)) {
+  if (absolute_path(path) == absolute_path(session.path)) {
+    save_scene(session);
+    return;
+  }
+  if (stamp_of(path).exists) {
     session.question = Question{
         fmt::format("{} exists.", escaped(file_name_of(path))),
         {{"Replace it", [path](Session& s, const auto&) { move_to(s, path); }}, {"Cancel", {}}}};
@@ -269,11 +274,14 @@ void make_edit(Session& session, const Result<Edit>& edit) {
   }
 }
 
-const EditInProgress* begin_edit(Session& session) {
+const EditInProgress* begin_edit(Session& session, int of) {
   Editing& editing = session.editing;
+  if (editing.progress && editing.progress->of != of) {
+    finish_edit(session);
+  }
   if (!editing.progress) {
     if (const std::optional<ItemId> item = selected_item(session)) {
-      editing.progress = EditInProgress{*editing.document, *item, editing.part};
+      editing.progress = EditInProgress{*editing.document, *item, of, editing.part};
     }
   }
   return editing.progress ? &*editing.progress : nullptr;
@@ -299,10 +307,11 @@ void finish_edit(Session& session) {
   if (editing.progress && !editing.progress->edit.changes.empty()) {
     const std::string& before = editing.progress->before.text();
     const Edit& edit = editing.progress->edit;
-    editing.done.push_back({edit, inverse(before, edit)});
+    editing.done.push_back({edit, inverse(before, edit), editing.progress->part, editing.part});
     editing.undone.clear();
   }
   editing.progress.reset();
+  session.grasped.reset();
 }
 
 void cancel_edit(Session& session) {
@@ -310,6 +319,7 @@ void cancel_edit(Session& session) {
     continue_edit(session, Edit{});
     session.editing.progress.reset();
   }
+  session.grasped.reset();
 }
 
 bool undo_edit(Session& session) {
@@ -321,6 +331,7 @@ bool undo_edit(Session& session) {
   EditStep step = std::move(editing.done.back());
   editing.done.pop_back();
   made(session, step.back);
+  editing.part = step.part_before;
   editing.undone.push_back(std::move(step));
   return true;
 }
@@ -334,6 +345,7 @@ bool redo_edit(Session& session) {
   EditStep step = std::move(editing.undone.back());
   editing.undone.pop_back();
   made(session, step.made);
+  editing.part = step.part_after;
   editing.done.push_back(std::move(step));
   return true;
 }
@@ -346,13 +358,14 @@ void new_scene(Session& session, const std::string& path) {
     s.editing.new_file = true;
     s.start.opening = true;
     load_edited_text(s);
+    say(s, fmt::format("a new scene: Ctrl+S creates {}", escaped(absolute_path(path), 200)));
   });
 }
 
 void save_scene(Session& session) {
   finish_edit(session);
   if (session.path == "-") {
-    ask_where_to_save(session);
+    ask_where_to_save(session, "scene.xml");
     return;
   }
   if (!has_unsaved_edits(session)) {
@@ -375,16 +388,18 @@ void save_scene(Session& session) {
   write_text(session, session.path);
 }
 
-void ask_where_to_save(Session& session) {
+void ask_where_to_save(Session& session, const std::string& path, const std::string& wrong) {
   session.question =
-      Question{"Save the scene as",
+      Question{"Save the scene as" + (wrong.empty() ? "" : ": " + wrong),
                {{"Save", [](Session& s, const auto& path) { save_at(s, path); }}, {"Cancel", {}}},
-               session.path == "-" ? "scene.xml" : session.path};
+               path};
 }
 
 void before_losing_edits(Session& session, std::function<void(Session&)> then) {
   finish_edit(session);
-  if (!has_unsaved_edits(session)) {
+  const Editing& editing = session.editing;
+  const bool untouched = editing.new_file && editing.done.empty() && editing.undone.empty();
+  if (!has_unsaved_edits(session) || untouched) {
     then(session);
     return;
   }
@@ -399,7 +414,7 @@ void before_losing_edits(Session& session, std::function<void(Session&)> then) {
     then(s);
   };
   session.question = Question{scene_name(session) + " has edits that are not saved.",
-                              {{"Save them", save}, {"Lose them", lose}, {"Cancel", {}}}};
+                              {{"Save", save}, {"Discard", lose}, {"Cancel", {}}}};
 }
 
 void ask_about_changed_file(Session& session, std::string text) {
@@ -409,7 +424,9 @@ void ask_about_changed_file(Session& session, std::string text) {
   };
   const auto keep = [text](Session& s, const std::string&) { s.editing.saved = text; };
   session.question = Question{scene_name(session) + " has been changed by another program.",
-                              {{"Read it, and lose my edits", read}, {"Keep my edits", keep}}};
+                              {{"Keep my edits: saving will replace its changes", keep},
+                               {"Read it, and lose my edits", read},
+                               {"Decide when I save", {}}}};
 }
 
 void answer_question(Session& session, std::size_t answer) {

@@ -15,12 +15,6 @@ namespace scenefile::viewer {
 
 struct Session;
 
-/// An edit that was made, and the one that takes it back.
-struct EditStep {
-  Edit made;
-  Edit back;
-};
-
 /// The selected part of the scene: where it starts in the text. Global data and a camera that the
 /// file lacks have only a kind.
 struct EditedPart {
@@ -28,11 +22,20 @@ struct EditedPart {
   std::uint32_t from = 0;
 };
 
+/// An edit that was made, the one that takes it back, and the selection before and after.
+struct EditStep {
+  Edit made;
+  Edit back;
+  std::optional<EditedPart> part_before;
+  std::optional<EditedPart> part_after;
+};
+
 /// An edit that is not finished, such as dragging a slider: each new value replaces the last one,
 /// and all together are one step.
 struct EditInProgress {
   Document before;
   ItemId item = no_item;  ///< the selected one, of `before`
+  int of = 0;             ///< what is edited: begin_edit()
   std::optional<EditedPart> part{};
   Edit edit{};  ///< so far; of `before`
 };
@@ -87,9 +90,10 @@ std::optional<std::uint32_t> row_of_selected_item(Session& session);
 
 /// Makes an edit of edited_document(), or shows the error.
 void make_edit(Session& session, const Result<Edit>& edit);
-/// Begins an edit of the selected item in several steps, unless there is one in progress. Null if
-/// nothing is selected.
-const EditInProgress* begin_edit(Session& session);
+/// Begins an edit of the selected item in several steps, unless one of the same number is in
+/// progress: that of a widget, or edit_by_handle. Null if nothing is selected.
+const EditInProgress* begin_edit(Session& session, int of);
+inline constexpr int edit_by_handle = -1;
 /// Replaces the edit in progress by this edit of its document `before`.
 void continue_edit(Session& session, const Result<Edit>& edit);
 /// Ends the edit in progress, if there is one: it can be undone from now on.
@@ -106,8 +110,8 @@ bool redo_edit(Session& session);
 void new_scene(Session& session, const std::string& path);
 /// Saves the text; asks first if the file has been changed by another program.
 void save_scene(Session& session);
-/// Asks for a path, and saves the text there.
-void ask_where_to_save(Session& session);
+/// Asks for a path, and saves the text there. `path`: a proposal; `wrong`: what was wrong with it.
+void ask_where_to_save(Session& session, const std::string& path, const std::string& wrong = {});
 /// Does `then` at once if there are no unsaved edits; otherwise asks, and maybe saves.
 void before_losing_edits(Session& session, std::function<void(Session&)> then);
 /// The file was read again, with other contents than were last read or written, while there are

@@ -13,10 +13,10 @@ namespace scenefile::viewer {
 
 namespace {
 
-constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
-                                   ImGuiWindowFlags_NoSavedSettings |
-                                   ImGuiWindowFlags_NoBringToFrontOnFocus;
+constexpr ImGuiWindowFlags fixed =
+    ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 // A panel at a fixed position; the caller calls ImGui::End().
 void begin_panel(const char* name, const Box& box, ImGuiWindowFlags more = 0) {
@@ -78,7 +78,9 @@ void build_bottom(Session& session, const GuiFrame& frame, Box& room) {
   const double height = std::floor(std::min(room.size.y * most, wanted));
   begin_panel("##messages", {{room.at.x, room.at.y + room.size.y - height}, {room.size.x, height}});
   build_messages(session);
-  session.messages_height = ImGui::GetCursorPosY() + ImGui::GetStyle().WindowPadding.y;
+  if (session.pointer.drag != Drag::handle) {  // else the picture would move under the pointer
+    session.messages_height = ImGui::GetCursorPosY() + ImGui::GetStyle().WindowPadding.y;
+  }
   ImGui::End();
   room.size.y -= height;
 }
@@ -111,7 +113,10 @@ void build_gui(Session& session, const GuiFrame& frame, const glm::dvec2& window
     if (session.settings.outline && session.shown != nullptr) {
       build_left(session, frame, room);
     }
-    if (session.settings.messages && has_messages(session)) {
+    if (session.pointer.drag != Drag::handle) {
+      session.shows_messages = session.settings.messages && has_messages(session);
+    }
+    if (session.shows_messages) {
       build_bottom(session, frame, room);
     }
     if (session.explaining && session.shown != nullptr && !session.start.open) {

@@ -71,6 +71,7 @@ class FieldRow {
 
  private:
   void build_value() {
+    const float left = ImGui::GetCursorPosX();
     switch (field_.kind) {
       case FieldKind::color:
         build_color();
@@ -87,6 +88,7 @@ class FieldRow {
         break;
       case FieldKind::image:
         build_file(width_);
+        ImGui::SetCursorPosX(left);
         build_numbers(1, 2);
         break;
       case FieldKind::matrix:
@@ -103,16 +105,30 @@ class FieldRow {
     }
   }
 
-  // Sets some parts of the field, as part of an edit in several steps.
-  void change(const Typed& typed) {
-    const EditInProgress* const edit = begin_edit(session_);
+  // Sets some parts of the field, as part of an edit in several steps by the widget of that number.
+  // Parts that have the value from before keep their spelling.
+  void change(Typed typed, std::size_t widget = 0) {
+    constexpr std::size_t most_parts = 16;
+    const EditInProgress* const edit =
+        begin_edit(session_, static_cast<int>(index_ * most_parts + widget));
     if (edit == nullptr) {
       return;
     }
     const std::vector<FieldView> fields = edit->before.fields(edit->item);
-    if (index_ < fields.size()) {
-      continue_edit(session_, set_values(edit->before, edit->item, fields[index_], typed));
+    if (index_ >= fields.size()) {
+      return;
     }
+    const FieldView& before = fields[index_];
+    for (std::size_t i = 0; i < typed.size(); ++i) {
+      const FieldPart& part = before.parts[i];
+      if (typed[i] && part.is_number && std::strtod(typed[i]->c_str(), nullptr) == value_of(part)) {
+        typed[i].reset();
+      }
+    }
+    const bool none = std::none_of(typed.begin(), typed.end(),
+                                   [](const auto& value) { return value.has_value(); });
+    continue_edit(session_, none ? Result<Edit>(Edit{})
+                                 : set_values(edit->before, edit->item, before, typed));
   }
 
   Typed only(std::size_t part, std::string value) const {
@@ -135,7 +151,7 @@ class FieldRow {
       const double high = std::isfinite(part.range.high) ? part.range.high : 1e30;
       if (ImGui::DragScalar("##number", ImGuiDataType_Double, &value, drag_speed(part, value), &low,
                             &high, count > 3 ? "%.3g" : "%.5g")) {
-        change(only(i, typed_number(value)));
+        change(only(i, typed_number(value)), i);
       }
       if (ImGui::IsItemHovered() && field_.parts.size() > 1) {
         ImGui::SetTooltip("%s: %s", std::string(part.name).c_str(), escaped(part.value).c_str());
@@ -160,13 +176,14 @@ class FieldRow {
     if (ImGui::ColorEdit3(
             "##color", color.data(),
             ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoOptions)) {
-      Typed typed(3);  // the other channels keep their spelling
+      Typed typed;
       for (std::size_t i = 0; i < 3; ++i) {
-        if (color[i] != static_cast<float>(value_of(field_.parts[i]))) {
-          typed[i] = fmt::format("{:.4g}", std::max(color[i], 0.0F));
-        }
+        const double now = value_of(field_.parts[i]);
+        typed.emplace_back(color[i] == static_cast<float>(now)
+                               ? typed_number(now)
+                               : fmt::format("{:.4g}", std::max(color[i], 0.0F)));
       }
-      change(typed);
+      change(std::move(typed));
     }
   }
 
@@ -184,7 +201,8 @@ class FieldRow {
   }
 
   void build_text(std::size_t part, float width) {
-    std::array<char, 1024> text{};
+    constexpr std::size_t room = 1024;  // for what is typed
+    std::vector<char> text(field_.parts[part].value.size() + room);
     field_.parts[part].value.copy(text.data(), text.size() - 1);
     ImGui::SetNextItemWidth(width);
     ImGui::InputText("##text", text.data(), text.size());
@@ -358,7 +376,8 @@ void build_handle_choice(Session& session) {
 }
 
 void build_name(const Session& session, const OutlineRow& row) {
-  ImGui::TextUnformatted(escaped(row.label, 60).c_str());
+  const float room = 0.6F * ImGui::GetContentRegionAvail().x;
+  ImGui::TextUnformatted(fitting(escaped(row.label, 200), room).c_str());
   if (row.location.known()) {
     ImGui::SameLine();
     ImGui::TextDisabled("%s:%u:%u", escaped(shown_name(session), 60).c_str(), row.location.line,
@@ -408,11 +427,13 @@ void build_object(Session& session, const GuiFrame& /*frame*/) {
     build_light_switch(session, row.source);
   }
   ImGui::Spacing();
+  ImGui::PushID(static_cast<int>(item.value_or(no_item)));
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (fields[i].written) {
       FieldRow(session, fields[i], i).build();
     }
   }
+  ImGui::PopID();
   end_field_edit(session);
 }
 
@@ -447,8 +468,8 @@ void build_question(Session& session, const GuiFrame& frame) {
   for (std::size_t i = 0; i < question.answers.size(); ++i) {
     const bool last = i + 1 == question.answers.size();
     const std::string key = question.path ? (last ? "Esc" : "Enter")
-                            : last        ? fmt::format("{}, Esc", i + 1)
-                                          : fmt::format("{}", i + 1);
+                            : last        ? "Esc"
+                                          : fmt::format("Ctrl+{}", i + 1);
     if (ImGui::Button(fmt::format("{}  ({})", question.answers[i].label, key).c_str())) {
       answer = i;
     }

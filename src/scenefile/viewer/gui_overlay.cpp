@@ -265,7 +265,7 @@ void paint_handles(Session& session, const GuiFrame& frame) {
     return;
   }
   static constexpr std::array<unsigned, 4> colors{0xe05050, 0x50c050, 0x5080ff, 0xe2e4e8};
-  const bool held = session.pointer.drag == Drag::handle;
+  const bool held = session.pointer.drag == Drag::handle && session.grasped;
   const std::optional<int> bright = held
                                         ? std::optional(session.grasped->number)
                                         : handle_at(session, *set, session.pointer.at, frame.scale);

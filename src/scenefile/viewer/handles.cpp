@@ -343,10 +343,12 @@ bool grasp_handle(Session& session) {
 }
 
 void drag_handle(Session& session, bool steps) {
-  const EditInProgress* const progress = begin_edit(session);
+  const std::optional<GraspedHandle> held = session.grasped;  // gone if another edit ended it
+  const EditInProgress* const progress = held ? begin_edit(session, edit_by_handle) : nullptr;
   if (progress == nullptr) {
     return;
   }
+  session.grasped = held;
   GraspedHandle& grasped = *session.grasped;
   if (grasped.set.kind == Handles::turn) {
     turn_to_pointer(session, grasped);

@@ -193,11 +193,12 @@ struct Session {
   int palette_row = 0;        ///< the command that Enter performs
   bool full_screen = false;
   bool quit = false;
-  bool picture_only = false;   ///< no panels
-  double messages_height = 0;  ///< of the contents of the messages panel; set by the window
-  double gui_scale = 1;        ///< pixels per pixel of a normal-density screen; set by the window
-  std::string screenshot;      ///< a file for the window to write; empty: none
-  std::string copied;          ///< text for the window to put on the clipboard; empty: none
+  bool picture_only = false;    ///< no panels
+  bool shows_messages = false;  ///< the panel of them; set by the window
+  double messages_height = 0;   ///< of the contents of the messages panel; set by the window
+  double gui_scale = 1;         ///< pixels per pixel of a normal-density screen; set by the window
+  std::string screenshot;       ///< a file for the window to write; empty: none
+  std::string copied;           ///< text for the window to put on the clipboard; empty: none
   std::optional<Notice> notice;
   std::vector<std::string> drawing_notes;  ///< findings of drawing the scene
 };

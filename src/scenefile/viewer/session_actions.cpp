@@ -86,7 +86,7 @@ void edit_scene(Session& session, Action action) {
       save_scene(session);
       break;
     case Action::save_as:
-      ask_where_to_save(session);
+      ask_where_to_save(session, session.path == "-" ? "scene.xml" : session.path);
       break;
     default:
       break;
@@ -366,6 +366,7 @@ void perform_on_window(Session& session, Action action) {
       break;
     case Action::panels:
       session.picture_only = !session.picture_only;
+      session.keyboard_in_fields = false;
       break;
     case Action::outline:
       settings.outline = !settings.outline;

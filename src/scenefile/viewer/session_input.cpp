@@ -109,12 +109,13 @@ void drag_by(Session& session, const glm::dvec2& by) {
 }  // namespace
 
 bool key_pressed(Session& session, const KeyPress& key) {
-  session.fast = key.shift;
+  session.fast = key.shift || key.name == "Shift";
   if (session.question) {
-    // The answers are numbered.
-    const std::size_t answer = key.name == "Escape"   ? session.question->answers.size() - 1
-                               : key.name.size() == 1 ? static_cast<std::size_t>(key.name[0] - '1')
-                                                      : session.question->answers.size();
+    // The answers are numbered. A digit alone may have been meant for a field.
+    const std::size_t answer = key.name == "Escape" ? session.question->answers.size() - 1
+                               : key.control && key.name.size() == 1
+                                   ? static_cast<std::size_t>(key.name[0] - '1')
+                                   : session.question->answers.size();
     if (answer < session.question->answers.size()) {
       answer_question(session, answer);
     }
@@ -140,6 +141,7 @@ void key_released(Session& session, const std::string& name) {
 
 void pointer_pressed(Session& session, int button, const KeyPress& with) {
   Pointer& pointer = session.pointer;
+  session.keyboard_in_fields = false;
   if (session.shown == nullptr || pointer.drag != Drag::none || session.question) {
     return;
   }

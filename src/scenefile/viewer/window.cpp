@@ -299,7 +299,6 @@ void Window::open_files() {
     open_start_panel(session_);
   } else if (options_.scene != "-" && !stamp_of(options_.scene).exists) {
     new_scene(session_, options_.scene);
-    say(session_, "a new scene; Ctrl+S creates " + scene_name(session_));
   } else {
     open_scene(session_, options_.scene);
   }
@@ -334,12 +333,16 @@ void Window::install_callbacks() {
 
 void Window::on_key(const KeyPress& key, bool down) {
   stir();
-  const bool typing = ImGui::GetIO().WantTextInput || session_.keyboard_in_fields;
-  if (down && key.name == "Escape" && !session_.question &&
-      ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
-    ImGui::ClosePopupToLevel(std::max(0, ImGui::GetCurrentContext()->OpenPopupStack.Size - 1),
-                             true);  // the innermost menu
+  const bool typing = ImGui::GetIO().WantTextInput || (session_.keyboard_in_fields && !key.control);
+  if (down && !session_.question && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
+    if (key.name == "Escape") {  // closes the innermost one
+      ImGui::ClosePopupToLevel(std::max(0, ImGui::GetCurrentContext()->OpenPopupStack.Size - 1),
+                               true);
+    }
     return;
+  }
+  if (down && key.name == "Escape" && session_.editing.progress) {
+    ImGui::ClearActiveID();  // the widget is released, too
   }
   if (typing && !(down && key.name == "Escape" && !ImGui::GetIO().WantTextInput)) {
     return;

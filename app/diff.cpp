@@ -50,7 +50,9 @@ ExitCode diff_scenes(const Options& options, Context& context) {
   if (options.json) {
     return worse(found, answer(compare_scenes_json(a, b, &diff)));
   }
-  return options.quiet ? found : worse(found, answer(compare_scenes_text(a, b, diff)));
+  return options.quiet
+             ? found
+             : worse(found, answer(compare_scenes_text(a, b, diff, wants_color(Stream::answer))));
 }
 
 std::string heading(const LoadedPicture& a, const LoadedPicture& b) {

@@ -88,8 +88,9 @@ constexpr std::array command_rows{
             "scenefile convert chess.xml chess.pov && povray chess.pov File_Gamma=1.0",
             run_convert, two},
     Command{"diff", for_diff, "A [B]", "show how two scenes or two pictures differ",
-            "Compares the meaning of two scenes, node by node, in any format; or two pictures, the "
-            "reference first: PSNR, SSIM, FLIP and, with the scene, the mistake that explains the "
+            "Compares the meaning of two scenes in any format and shows, like diff -u, how they "
+            "differ, with places in both files; or two pictures, the reference first: PSNR, SSIM, "
+            "FLIP and, with the scene, the mistake that explains the "
             "difference. If --profile and --features are not given, those that fit the "
             "reference are found. The exit status is 0 if they are the same and 1 if they differ.\n"
             "A path-traced picture is compared with the truth, which is drawn from the scene; no "

@@ -3,7 +3,7 @@
 #include "scenefile/base/number.h"
 #include "scenefile/format/xml_scanner.h"
 #include "scenefile/scene/check.h"
-#include "scenefile/scene/diff.h"
+#include "scenefile/scene/prepare.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/quaternion.hpp>
@@ -289,7 +289,7 @@ class Laws {
       // In JSON, the objects of a group come before those of the groups in it.
       const bool reordered = !document.is_xml() && (document[item].kind == ItemKind::light ||
                                                     document[item].kind == ItemKind::primitive);
-      require(faulty || reordered || diff_meaning(document.scene(), wrapped->scene()).same_meaning,
+      require(faulty || reordered || same_meaning(document.scene(), wrapped->scene()),
               "wrap " + name + ": the scene differs\n" + wrapped->text());
     }
     const std::vector<ItemId> targets = targets_for(document, item);

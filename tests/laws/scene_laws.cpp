@@ -2,7 +2,6 @@
 #include "scenefile/asset/image_file.h"
 #include "scenefile/format/write_scene.h"
 #include "scenefile/scene/check.h"
-#include "scenefile/scene/diff.h"
 #include "scenefile/scene/prepare.h"
 #include "scenefile/trace/render.h"
 #include "support/load_scene.h"

@@ -219,8 +219,9 @@ def test_diff(ball, tmp_path):
     differences = scenefile.diff(ball, scene)
     assert not differences.same_meaning
     assert len(differences) == 1
-    assert "position" in differences.differences[0].where
-    assert differences.differences[0].b == "0 9 0"
+    assert differences.differences[0].where == "point light"
+    assert differences.differences[0].b == '<position x="0" y="9" z="0"/>'
+    assert '\n+    <position x="0" y="9" z="0"/>\n' in str(differences)
 
 
 def test_vec3():

@@ -1,8 +1,8 @@
-// Laws of prepare() and diff() on random scenes, compared with a plain recursive expansion that
-// shares no code with them.
+// Laws of prepare() and flattened() on random scenes, compared with a plain recursive expansion
+// that shares no code with them.
 #include "builders.h"
 #include "scenefile/scene/check.h"
-#include "scenefile/scene/diff.h"
+#include "scenefile/scene/flatten.h"
 #include "scenefile/scene/prepare.h"
 #include "scenefile/scene/summary.h"
 
@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -199,26 +200,6 @@ void cut_transforms(Scene& scene, Random& random) {
   scene.nodes[inner] = std::move(moved);
 }
 
-void change_something(Scene& scene, Random& random) {
-  Node& node = scene.nodes[static_cast<std::size_t>(draw(random, int(scene.nodes.size())))];
-  switch (draw(random, 5)) {
-    case 0:
-      node.transforms.push_back(random_transform(random));
-      break;
-    case 1:
-      node.primitives.insert(node.primitives.begin(), primitive(Shape::cone));
-      break;
-    case 2:
-      std::reverse(node.children.begin(), node.children.end());
-      break;
-    case 3:
-      std::reverse(node.primitives.begin(), node.primitives.end());
-      break;
-    default:
-      node.lights.clear();
-  }
-}
-
 template <typename Law>
 void holds(const char* text, Law law) {
   EXPECT_TRUE(rc::check(text, [&] {
@@ -289,13 +270,29 @@ TEST(PrepareLaws, TheNodeOfATransformDoesNotMatter) {
         });
 }
 
-TEST(DiffLaws, EmptyExactlyForEqualScenes) {
-  holds("no differences, no difference", [](const Scene& scene, Random& random) {
-    Scene changed = scene;
-    for (int i = draw(random, 3); i > 0; --i) {
-      change_something(changed, random);
+TEST(FlattenLaws, GroupsDoNotMatter) {
+  holds("a scene means the same without its groups", [](const Scene& scene, Random&) {
+    Spellings spellings;
+    const std::optional<Scene> flat = flattened(scene, spellings);
+    RC_ASSERT(flat && same_meaning(scene, *flat));
+    for (const NodeId head : flat->templates) {
+      for (const NodeId child : flat->nodes[head].children) {
+        RC_ASSERT(flat->nodes[child].children.empty());
+      }
     }
-    RC_ASSERT(diff(scene, changed).empty() == (scene == changed));
-    RC_ASSERT(diff(scene, scene).empty());
   });
+}
+
+TEST(FlattenLaws, TransformsAreSpelledAsInTheFirstScene) {
+  holds("two scenes with other groups are the same scene without them",
+        [](const Scene& scene, Random& random) {
+          Scene other = scene;
+          for (int i = 0; i < 5; ++i) {
+            insert_identity_group(other, random);
+            cut_transforms(other, random);
+          }
+          Spellings spellings;
+          const std::optional<Scene> flat = flattened(scene, spellings);
+          RC_ASSERT(flat == flattened(other, spellings));
+        });
 }

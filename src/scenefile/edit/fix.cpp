@@ -1,13 +1,14 @@
 #include "scenefile/edit/fix.h"
 
+#include "scenefile/base/line_diff.h"
 #include "scenefile/base/text.h"
 #include "scenefile/edit/file_text.h"
 #include "scenefile/format/codes.h"
 #include "scenefile/format/json_parser.h"
+#include "scenefile/format/write_scene.h"
 #include "scenefile/format/write_text.h"
 #include "scenefile/format/xml_scanner.h"
 #include "scenefile/scene/check.h"
-#include "scenefile/scene/diff.h"
 
 #include <fmt/format.h>
 
@@ -278,6 +279,20 @@ class Tally {
   std::map<std::tuple<const Code*, std::uint32_t, std::string_view>, std::size_t> messages_;
 };
 
+// How many objects and lights differ; one that was added counts as one with all that it contains.
+std::size_t count_changed_parts(const Scene& before, const Scene& after, SceneFormat format) {
+  const SceneListing a = list_scene(before, format);
+  const SceneListing b = list_scene(after, format);
+  std::set<std::pair<std::uint32_t, std::string_view>> parts;
+  for (const LineChange& change :
+       line_changes(a.lines.size(), b.lines.size(),
+                    [&](std::size_t i, std::size_t j) { return a.line(i) == b.line(j); })) {
+    const ListedLine& line = change.removed != 0 ? a.lines[change.a] : b.lines[change.b];
+    parts.insert({line.place.line, line.what});
+  }
+  return parts.size();
+}
+
 // Searches for the fixes of one text that can be made together.
 class Round {
  public:
@@ -361,13 +376,8 @@ class Round {
     if (errors == 0) {
       return reading_.scene == after.scene;
     }
-    // A part that is another now is reported as removed and as added.
-    std::set<std::pair<std::uint32_t, std::string>> parts;
-    for (SceneDifference& d : diff(reading_.scene, after.scene, 4 * errors + 1)) {
-      const std::uint32_t line = d.in_a.known() ? d.in_a.line : d.in_b.line;
-      parts.insert({line, line == 0 ? std::move(d.where) : std::string()});
-    }
-    return parts.size() <= errors;
+    const SceneFormat format = FileText(text_).is_xml() ? SceneFormat::xml : SceneFormat::json;
+    return count_changed_parts(reading_.scene, after.scene, format) <= errors;
   }
 
   std::string_view text_;
@@ -502,39 +512,19 @@ std::string unified_diff(std::string_view before, std::string_view after, std::s
   constexpr std::size_t context = 3;
   const std::vector<std::string_view> a = lines_of(before);
   const std::vector<std::string_view> b = lines_of(after);
-  const std::size_t count = std::min(a.size(), b.size());
-  std::string diff;
-  std::size_t at = 0;
-  const auto next = [&](std::size_t from) {
-    while (from < count && a[from] == b[from]) {
-      ++from;
-    }
-    return from;
-  };
-  while ((at = next(at)) < count) {
-    const std::size_t first = at - std::min(at, context);
-    std::size_t last = at + 1;  // one past the last line that differs
-    for (std::size_t other = next(last); other < count && other - last <= 2 * context;
-         other = next(last)) {
-      last = other + 1;
-    }
-    const std::size_t end = std::min(last + context, count);
-    diff += diff.empty() ? fmt::format("--- {0}\n+++ {0}\n", name) : std::string();
-    diff += fmt::format("@@ -{0},{1} +{0},{1} @@\n", first + 1, end - first);
-    for (std::size_t i = first; i < end;) {
-      if (a[i] == b[i]) {
-        add_line(diff, ' ', a[i++]);
-        continue;
-      }
-      std::size_t stop = i;
-      while (stop < end && a[stop] != b[stop]) {
-        add_line(diff, '-', a[stop++]);
-      }
-      for (; i < stop; ++i) {
-        add_line(diff, '+', b[i]);
-      }
-    }
-    at = end;
+  const std::vector<LineChange> changes =
+      line_changes(a.size(), b.size(), [&](std::size_t i, std::size_t j) { return a[i] == b[j]; });
+  std::string diff = changes.empty() ? std::string() : fmt::format("--- {0}\n+++ {0}\n", name);
+  for (const std::span<const LineChange> hunk : hunks_of(changes, context)) {
+    std::string lines;
+    std::size_t first = a.size();
+    std::size_t count = 0;
+    visit_hunk(hunk, context, a.size(), [&](char mark, std::size_t i, std::size_t j) {
+      first = std::min(first, i);
+      count += mark == '+' ? 0 : 1;
+      add_line(lines, mark, mark == '+' ? b[j] : a[i]);
+    });
+    diff += fmt::format("@@ -{0},{1} +{0},{1} @@\n", first + 1, count) + lines;
   }
   return diff;
 }

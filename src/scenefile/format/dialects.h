@@ -4,6 +4,7 @@
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"
 #include "scenefile/format/read_scene.h"
+#include "scenefile/format/write_scene.h"
 #include "scenefile/scene/scene.h"
 
 #include <string>
@@ -20,5 +21,9 @@ Scene read_json(std::string_view text, const ReadOptions& options, Diagnostics& 
 /// Same contract as write_scene().
 std::string write_xml(const Scene& scene, const Limits& limits, Diagnostics& diagnostics);
 std::string write_json(const Scene& scene, const Limits& limits, Diagnostics& diagnostics);
+
+/// The lines of list_scene().
+SceneListing list_xml(const Scene& scene);
+SceneListing list_json(const Scene& scene);
 
 }  // namespace scenefile

@@ -191,8 +191,12 @@ class JsonForm {
 // to an array.
 class JsonPrinter {
  public:
-  JsonPrinter(const Limits& limits, Diagnostics& diagnostics)
-      : limits_(limits), diagnostics_(diagnostics) {}
+  JsonPrinter(const Limits& limits, Diagnostics& diagnostics, std::vector<ListedLine>* listing)
+      : limits_(limits), diagnostics_(diagnostics), starts_(listing) {
+    starts_.start(out_, 0);
+  }
+
+  LineStarts& starts() { return starts_; }
 
   void open(std::string_view key, char bracket) {
     begin(key);
@@ -211,7 +215,7 @@ class JsonPrinter {
 
   void value(std::string_view key, float v) {
     begin(key);
-    out_ += number_text(v);
+    out_ += starts_.number(v);
   }
   void numbers(std::string_view key, std::initializer_list<float> values) {
     begin(key);
@@ -219,7 +223,7 @@ class JsonPrinter {
     for (const float value : values) {
       out_ += separator;
       out_ += separator == ',' ? " " : "";
-      out_ += number_text(value);
+      out_ += starts_.number(value);
       separator = ',';
     }
     out_ += ']';
@@ -259,7 +263,7 @@ class JsonPrinter {
 
   void new_line() {
     out_ += '\n';
-    out_.append(2 * open_.size(), ' ');
+    starts_.start(out_, open_.size());
   }
 
   void begin(std::string_view key) {
@@ -276,12 +280,14 @@ class JsonPrinter {
 
   const Limits& limits_;
   Diagnostics& diagnostics_;
+  LineStarts starts_;
   std::string out_;
   std::vector<Level> open_;
   std::size_t deepest_ = 0;
 };
 
 void print_camera(JsonPrinter& to, const Camera& camera) {
+  to.starts().at("camera", camera.location);
   to.open("cameraData", '{');
   print_values(to, camera, {Field::position, Field::up, Field::look, Field::height_angle_deg});
   to.close();
@@ -316,7 +322,8 @@ void print_map(JsonPrinter& to, const Matrix& matrix) {
   to.close();
 }
 
-void print_primitive(JsonPrinter& to, const Primitive& primitive) {
+void print_primitive(JsonPrinter& to, const Primitive& primitive, NodeId node) {
+  to.starts().at(word_of(primitive.shape), primitive.location, node);
   to.open("", '{');
   to.text("type", word_of(primitive.shape), primitive.location);
   if (primitive.shape == Shape::mesh) {
@@ -368,6 +375,7 @@ class GroupPrinter {
   // Prints the group up to its list of groups, which stays open. Returns false if it has none.
   bool open_group(NodeId id) {
     const Node& node = scene_.nodes[id];
+    to_.starts().at({}, node.location, id);
     to_.open("", '{');
     if (!node.instance_of.empty()) {
       to_.text("name", node.instance_of, node.location);
@@ -378,12 +386,14 @@ class GroupPrinter {
       to_.text("name", node.name, node.location);
     }
     for (const Transform& transform : node.transforms) {
+      to_.starts().at({}, transform.location, id);
       std::visit([&](const auto& map) { print_map(to_, map); }, transform.map);
     }
-    print_lights(node);
+    to_.starts().at({}, node.location, id);
+    print_lights(node, id);
     // A group with only a name would be read as an instance.
     if (!node.primitives.empty() || (node.children.empty() && node.lights.empty())) {
-      print_primitives(node);
+      print_primitives(node, id);
     }
     if (node.children.empty()) {
       to_.close();
@@ -394,21 +404,22 @@ class GroupPrinter {
     return true;
   }
 
-  void print_lights(const Node& node) {
+  void print_lights(const Node& node, NodeId id) {
     if (node.lights.empty()) {
       return;
     }
     to_.open("lights", '[');
     for (const Light& light : node.lights) {
+      to_.starts().at(light_type_name(light.type), light.location, id);
       print_object(to_, "", light);
     }
     to_.close();
   }
 
-  void print_primitives(const Node& node) {
+  void print_primitives(const Node& node, NodeId id) {
     to_.open("primitives", '[');
     for (const Primitive& primitive : node.primitives) {
-      print_primitive(to_, primitive);
+      print_primitive(to_, primitive, id);
     }
     to_.close();
   }
@@ -418,12 +429,14 @@ class GroupPrinter {
   std::vector<Frame> frames_;
 };
 
-std::string print_json(const Scene& scene, const Limits& limits, Diagnostics& diagnostics) {
-  JsonPrinter to(limits, diagnostics);
+std::string print_json(const Scene& scene, const Limits& limits, Diagnostics& diagnostics,
+                       std::vector<ListedLine>* listing = nullptr) {
+  JsonPrinter to(limits, diagnostics, listing);
   to.open("", '{');
   if (!scene.name.empty()) {
     to.text("name", scene.name, {});
   }
+  to.starts().at("global data", scene.global.location);
   print_object(to, "globalData", scene.global);
   print_camera(to, scene.camera.value_or(Camera()));
   if (!scene.templates.empty()) {
@@ -450,6 +463,14 @@ Scene json_form(const Scene& scene, Diagnostics& diagnostics) {
 
 std::string write_json(const Scene& scene, const Limits& limits, Diagnostics& diagnostics) {
   return print_json(json_form(scene, diagnostics), limits, diagnostics);
+}
+
+SceneListing list_json(const Scene& scene) {
+  const Limits limits = listing_limits();
+  Diagnostics ignored(limits);
+  SceneListing listing{json_form(scene, ignored), {}, {}};
+  listing.text = print_json(listing.form, limits, ignored, &listing.lines);
+  return listing;
 }
 
 }  // namespace scenefile

@@ -5,8 +5,11 @@
 #include "scenefile/base/limits.h"
 #include "scenefile/scene/scene.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace scenefile {
 
@@ -30,5 +33,30 @@ enum class SceneFormat : std::uint8_t { xml, json };
 /// Codes: format/codes.h.
 std::string write_scene(const Scene& scene, SceneFormat format, const Limits& limits,
                         Diagnostics& diagnostics);
+
+/// Where a line of a listing comes from.
+struct ListedLine {
+  std::size_t begin = 0;    ///< in the text
+  std::string_view what;    ///< such as "camera", "sphere"; empty for groups
+  Location place;           ///< of the object or light in the file
+  NodeId node = no_group;   ///< the group, in the form
+  std::uint32_t depth = 0;  ///< of nesting
+
+  static constexpr NodeId no_group = 0xffffffffu;
+};
+
+/// The text of write_scene() for a comparison: without indentation and without what has no effect.
+struct SceneListing {
+  Scene form;  ///< the scene as it is written
+  std::string text;
+  std::vector<ListedLine> lines;
+  bool exact = true;  ///< false: the format cannot express a part of the meaning
+
+  /// Without the comma at the end.
+  std::string_view line(std::size_t index) const;
+};
+
+/// Empty if the scene cannot be written.
+SceneListing list_scene(const Scene& scene, SceneFormat format);
 
 }  // namespace scenefile

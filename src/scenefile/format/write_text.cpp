@@ -1,11 +1,13 @@
 #include "scenefile/format/write_text.h"
 
+#include "scenefile/base/number.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
 
 #include <fmt/format.h>
 
 #include <iterator>
+#include <limits>
 
 namespace scenefile {
 
@@ -81,6 +83,26 @@ bool append_json(std::string& out, std::string_view text) {
   });
   out += '"';
   return all_said;
+}
+
+void LineStarts::start(std::string& out, std::size_t depth) {
+  if (listing_ == nullptr) {
+    out.append(2 * depth, ' ');
+    return;
+  }
+  listing_->push_back(next_);
+  listing_->back().begin = out.size();
+  listing_->back().depth = static_cast<std::uint32_t>(depth);
+}
+
+std::string LineStarts::number(float value) const {
+  return number_text(listing() ? value + 0.0f : value);
+}
+
+Limits listing_limits() {
+  Limits limits;
+  limits.nesting = std::numeric_limits<std::uint32_t>::max();
+  return limits;
 }
 
 void report_nesting(const Limits& limits, Diagnostics& diagnostics) {

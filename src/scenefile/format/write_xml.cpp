@@ -315,12 +315,14 @@ class XmlForm {
 // Prints elements and attributes, one element per line.
 class XmlPrinter {
  public:
-  XmlPrinter(const Limits& limits, Diagnostics& diagnostics)
-      : limits_(limits), diagnostics_(diagnostics) {}
+  XmlPrinter(const Limits& limits, Diagnostics& diagnostics, std::vector<ListedLine>* listing)
+      : limits_(limits), diagnostics_(diagnostics), starts_(listing) {}
+
+  LineStarts& starts() { return starts_; }
 
   /// Starts a tag; attributes may follow, then children() or leaf().
   XmlPrinter& begin(std::string_view element) {
-    out_.append(2 * open_.size(), ' ');
+    starts_.start(out_, open_.size());
     out_ += '<';
     out_ += element;
     deepest_ = std::max(deepest_, open_.size() + 1);
@@ -338,7 +340,7 @@ class XmlPrinter {
     return *this;
   }
   XmlPrinter& attribute(std::string_view name, float value) {
-    out_ += fmt::format(" {}=\"{}\"", name, number_text(value));
+    out_ += fmt::format(" {}=\"{}\"", name, starts_.number(value));
     return *this;
   }
   void leaf() { out_ += "/>\n"; }
@@ -349,7 +351,7 @@ class XmlPrinter {
   void end() {
     const std::string_view element = open_.back();
     open_.pop_back();
-    out_.append(2 * open_.size(), ' ');
+    starts_.start(out_, open_.size());
     out_ += fmt::format("</{}>\n", element);
   }
 
@@ -358,14 +360,16 @@ class XmlPrinter {
     return row.xml;
   }
   /// Whether it is written for lights that do not use it.
-  static bool is_idle(const ValueRow<Light>& row) { return row.idle_in_xml; }
+  bool is_idle(const ValueRow<Light>& row) const { return row.idle_in_xml && !starts_.listing(); }
 
   void value(std::string_view element, float v) { begin(element).attribute("v", v).leaf(); }
   void text(std::string_view element, std::string_view text, Location place) {
     begin(element).attribute("v", text, place).leaf();
   }
   void id(std::string_view element, int id, Location place) {
-    text(element, fmt::format("{}", id), place);
+    if (!starts_.listing()) {
+      text(element, fmt::format("{}", id), place);
+    }
   }
   void three(std::string_view element, ValueKind kind, const glm::vec3& v) {
     const std::span<const std::string_view> names = part_names(kind);
@@ -388,6 +392,7 @@ class XmlPrinter {
  private:
   const Limits& limits_;
   Diagnostics& diagnostics_;
+  LineStarts starts_;
   std::string out_;
   std::vector<std::string_view> open_;
   std::string_view begun_;
@@ -395,6 +400,7 @@ class XmlPrinter {
 };
 
 void print_camera(XmlPrinter& to, const Camera& camera) {
+  to.starts().at("camera", camera.location);
   to.begin("cameradata").children();
   print_values(to, camera, {Field::position, Field::look, Field::up, Field::height_angle_deg});
   to.end();
@@ -429,7 +435,8 @@ void print_map(XmlPrinter& to, const Matrix& matrix) {
   to.end();
 }
 
-void print_primitive(XmlPrinter& to, const Primitive& primitive) {
+void print_primitive(XmlPrinter& to, const Primitive& primitive, NodeId node) {
+  to.starts().at(word_of(primitive.shape), primitive.location, node);
   to.begin("object").attribute("type", "primitive", primitive.location);
   to.attribute("name", word_of(primitive.shape), primitive.location);
   if (primitive.shape == Shape::mesh) {
@@ -474,6 +481,7 @@ class TreePrinter {
 
   void open_tree(NodeId id) {
     const Node& node = scene_.nodes[id];
+    to_.starts().at({}, node.location, id);
     to_.begin("object").attribute("type", "tree", node.location);
     if (!node.name.empty()) {
       to_.attribute("name", node.name, node.location);
@@ -488,15 +496,20 @@ class TreePrinter {
 
   void print_child(NodeId id) {
     const Node& node = scene_.nodes[id];
+    const std::string_view what =
+        node.primitives.empty() ? std::string_view() : word_of(node.primitives.front().shape);
+    to_.starts().at(what, node.location, id);
     to_.begin("transblock").children();
     for (const Transform& transform : node.transforms) {
+      to_.starts().at(what, transform.location, id);
       std::visit([&](const auto& map) { print_map(to_, map); }, transform.map);
     }
+    to_.starts().at({}, node.location, id);
     if (!node.instance_of.empty()) {
       to_.begin("object").attribute("type", "master", node.location);
       to_.attribute("name", node.instance_of, node.location).leaf();
     } else if (!node.primitives.empty()) {
-      print_primitive(to_, node.primitives.front());
+      print_primitive(to_, node.primitives.front(), id);
     } else {
       open_tree(id);
       return;
@@ -509,14 +522,17 @@ class TreePrinter {
   std::vector<Frame> frames_;
 };
 
-std::string print_xml(const Scene& scene, const Limits& limits, Diagnostics& diagnostics) {
-  XmlPrinter to(limits, diagnostics);
+std::string print_xml(const Scene& scene, const Limits& limits, Diagnostics& diagnostics,
+                      std::vector<ListedLine>* listing = nullptr) {
+  XmlPrinter to(limits, diagnostics, listing);
   to.begin("scenefile").children();
+  to.starts().at("global data", scene.global.location);
   print_block(to, "globaldata", scene.global);
   if (scene.camera) {
     print_camera(to, *scene.camera);
   }
   for (const Light& light : scene.nodes[scene.root].lights) {
+    to.starts().at(light_type_name(light.type), light.location);
     print_block(to, "lightdata", light);
   }
   for (const NodeId head : scene.templates) {
@@ -539,6 +555,15 @@ Scene xml_form(const Scene& scene, const Limits& limits, Diagnostics& diagnostic
 
 std::string write_xml(const Scene& scene, const Limits& limits, Diagnostics& diagnostics) {
   return print_xml(xml_form(scene, limits, diagnostics), limits, diagnostics);
+}
+
+SceneListing list_xml(const Scene& scene) {
+  const Limits limits = listing_limits();
+  Diagnostics diagnostics(limits);
+  SceneListing listing{xml_form(scene, limits, diagnostics), {}, {}};
+  listing.text = print_xml(listing.form, limits, diagnostics, &listing.lines);
+  listing.exact = diagnostics.count(Severity::warning) + diagnostics.count(Severity::error) == 0;
+  return listing;
 }
 
 }  // namespace scenefile

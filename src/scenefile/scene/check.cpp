@@ -115,20 +115,6 @@ std::string vector_text(const glm::vec3& v) {
   return fmt::format("{} {} {}", number_text(v.x), number_text(v.y), number_text(v.z));
 }
 
-std::string_view light_type_name(LightType type) {
-  switch (type) {
-    case LightType::point:
-      return "point light";
-    case LightType::directional:
-      return "directional light";
-    case LightType::spot:
-      return "spotlight";
-    case LightType::area:
-      return "area light";
-  }
-  return {};
-}
-
 void check(const Scene& scene, const Limits& limits, Diagnostics& diagnostics) {
   Reporter reporter(scene, diagnostics);
   check_structure(scene, reporter);

@@ -67,7 +67,6 @@ inline bool finite(const glm::vec3& v) {
 inline float smallest(const glm::vec3& v) {
   return std::min({v.x, v.y, v.z});
 }
-std::string_view light_type_name(LightType type);
 
 void check_global(const Global& global, Reporter& reporter);
 void check_camera(const Camera& camera, Reporter& reporter);

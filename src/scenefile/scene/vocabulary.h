@@ -228,6 +228,21 @@ constexpr bool light_uses(LightType type, Field field) {
   return row_of(light_rows, field).used_by_type(type);
 }
 
+/// "point light".
+constexpr std::string_view light_type_name(LightType type) {
+  switch (type) {
+    case LightType::point:
+      return "point light";
+    case LightType::directional:
+      return "directional light";
+    case LightType::spot:
+      return "spotlight";
+    case LightType::area:
+      return "area light";
+  }
+  return {};
+}
+
 /// Whether the course's JSON reader supports lights of the type; it rejects files with others.
 constexpr bool course_json_has(LightType type) {
   switch (type) {

@@ -153,7 +153,7 @@ class FieldRow {
                             &high, count > 3 ? "%.3g" : "%.5g")) {
         change(only(i, typed_number(value)), i);
       }
-      if (ImGui::IsItemHovered() && field_.parts.size() > 1) {
+      if (ImGui::IsItemHovered() && !ImGui::IsAnyItemActive() && field_.parts.size() > 1) {
         ImGui::SetTooltip("%s: %s", std::string(part.name).c_str(), escaped(part.value).c_str());
       }
       ImGui::PopID();
@@ -308,9 +308,17 @@ void build_fields_to_add(Session& session, const Document& document, ItemId item
   const ItemKind kind = document[item].kind;
   if (document.is_xml() &&
       (kind == ItemKind::primitive || kind == ItemKind::instance || kind == ItemKind::group)) {
-    for (const std::string_view word : {"translate", "rotate", "scale"}) {
-      if (ImGui::MenuItem(std::string(word).c_str())) {
-        make_edit(session, add_transform(document, item, word));
+    // A translation comes first, so that it is not scaled or turned.
+    struct Transform {
+      const char* title;
+      std::string_view word;
+      std::optional<std::size_t> before;
+    };
+    for (const auto& [title, word, before] :
+         {Transform{"Translation", "translate", 0}, Transform{"Rotation", "rotate", std::nullopt},
+          Transform{"Scale", "scale", std::nullopt}}) {
+      if (ImGui::MenuItem(title)) {
+        make_edit(session, add_transform(document, item, word, {}, before));
         return;
       }
     }
@@ -372,6 +380,10 @@ void build_handle_choice(Session& session) {
       session.handles = static_cast<Handles>(i);
     }
     ImGui::PopStyleColor();
+  }
+  if (session.handles != Handles::none && shows_edited_text(session) && !handles_of(session)) {
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", "none here");
   }
 }
 

@@ -132,6 +132,8 @@ class Window {
   void open_files();
 
   // Input from the user or the script.
+  void pass_key(int key, int scancode, int action, int modifiers);
+  void release_keys();
   void on_key(const KeyPress& key, bool down);
   void on_pointer(const glm::dvec2& at);
   void on_button(int button, bool down, const KeyPress& with);
@@ -177,6 +179,8 @@ class Window {
   int step_frames_ = 0;
   std::uint64_t step_looks_ = 0;  // Session::looks when the step began
   std::array<bool, 3> buttons_{};
+  std::vector<int> pressed_keys_;                  // since the last frame
+  std::vector<std::array<int, 3>> released_keys_;  // of these: key, scancode, modifiers
   glm::dvec2 pointer_{-1};
   std::string clipboard_;  // what was copied last
   FrameLog log_;           // of scripts
@@ -306,7 +310,7 @@ void Window::open_files() {
 
 void Window::install_callbacks() {
   glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
-    ImGui_ImplGlfw_KeyCallback(w, key, scancode, action, modifiers);
+    of(w).pass_key(key, scancode, action, modifiers);
     if (action != GLFW_REPEAT) {
       of(w).on_key(key_press(key, scancode, modifiers), action == GLFW_PRESS);
     }
@@ -329,6 +333,30 @@ void Window::install_callbacks() {
     of(w).on_drop({paths, paths + count});
   });
   glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { of(w).stir(); });
+}
+
+// Older versions of ImGui only look at which keys are down when a frame begins: a key that is
+// pressed and released between two frames must stay down until then.
+void Window::pass_key(int key, int scancode, int action, int modifiers) {
+  const bool pressed =
+      std::find(pressed_keys_.begin(), pressed_keys_.end(), key) != pressed_keys_.end();
+  if (action == GLFW_RELEASE && pressed) {
+    released_keys_.push_back({key, scancode, modifiers});
+    return;
+  }
+  if (action == GLFW_PRESS) {
+    pressed_keys_.push_back(key);
+  }
+  ImGui_ImplGlfw_KeyCallback(window_, key, scancode, action, modifiers);
+}
+
+// After a frame.
+void Window::release_keys() {
+  pressed_keys_.clear();
+  for (const auto& [key, scancode, modifiers] : std::exchange(released_keys_, {})) {
+    ImGui_ImplGlfw_KeyCallback(window_, key, scancode, GLFW_RELEASE, modifiers);
+    stir();
+  }
 }
 
 void Window::on_key(const KeyPress& key, bool down) {
@@ -620,6 +648,7 @@ WindowResult Window::run() {
       --frames_due_;
       draw_frame(false);
       follow_session();
+      release_keys();
     }
     if (!session_.copied.empty()) {
       clipboard_ = std::exchange(session_.copied, {});

@@ -4,7 +4,7 @@
 #include "scenefile/asset/image_file.h"
 #include "scenefile/viewer/copied_text.h"
 #include "scenefile/viewer/session.h"
-#include "viewer/test_scene.h"
+#include "viewer/session_fixture.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -51,19 +51,8 @@ struct PixelTest : ::testing::Test {
     settle();
   }
 
-  void pass(double seconds) {
-    for (double end = time + seconds; time < end; time += 0.05) {
-      tick(session, time);
-    }
-  }
-  void settle() {
-    pass(0.8);
-    for (int i = 0; i < testing::patience && !settled(session); ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      pass(0.05);
-    }
-    EXPECT_TRUE(settled(session));
-  }
+  void pass(double seconds) { testing::pass(session, time, seconds); }
+  void settle() { testing::settle(session, time); }
   void click(double x, double y, bool alt = true) {
     pointer_moved(session, {x, y});
     pointer_pressed(session, 0, {.alt = alt});

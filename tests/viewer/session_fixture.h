@@ -14,6 +14,21 @@
 
 namespace scenefile::viewer::testing {
 
+// Advances simulated time, faster than real time.
+inline void pass(Session& session, double& time, double seconds) {
+  for (double end = time + seconds; time < end; time += 0.05) {
+    tick(session, time);
+  }
+}
+inline void settle(Session& session, double& time) {
+  pass(session, time, 0.8);
+  for (int i = 0; i < patience && !settled(session); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    pass(session, time, 0.05);
+  }
+  EXPECT_TRUE(settled(session));
+}
+
 struct SessionFixture : ::testing::Test {
   SessionFixture() {
     session.setup.load = testing::open_request;
@@ -26,20 +41,8 @@ struct SessionFixture : ::testing::Test {
     settle();
   }
 
-  // Advances simulated time, faster than real time.
-  void pass(double seconds) {
-    for (double end = time + seconds; time < end; time += 0.05) {
-      tick(session, time);
-    }
-  }
-  void settle() {
-    pass(0.8);
-    for (int i = 0; i < testing::patience && !settled(session); ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      pass(0.05);
-    }
-    EXPECT_TRUE(settled(session));
-  }
+  void pass(double seconds) { testing::pass(session, time, seconds); }
+  void settle() { testing::settle(session, time); }
   // Nothing draws the pictures that a comparison waits for.
   void settle_files() {
     pass(0.8);

@@ -82,6 +82,19 @@ EditStep made(Session& session, const Edit& edit) {
   return step;
 }
 
+// Undoes or redoes the last of these steps. Returns false if there is none.
+bool move_last_step(Session& session, std::vector<EditStep>& from, std::vector<EditStep>& to,
+                    Edit EditStep::*edit, std::optional<EditedPart> EditStep::*part) {
+  if (from.empty()) {
+    return false;
+  }
+  to.push_back(std::move(from.back()));
+  from.pop_back();
+  made(session, to.back().*edit);
+  session.editing.part = to.back().*part;
+  return true;
+}
+
 bool has_own_item(ItemKind kind) {
   return kind == ItemKind::globals || kind == ItemKind::camera;
 }
@@ -119,6 +132,12 @@ std::optional<ItemId> item_of_row(const Document& document, const OutlineRow& ro
     default:
       return row.location.known() ? document.item_of(row.location) : std::nullopt;
   }
+}
+
+// By the text of another program.
+void replace_edits(Session& session, const std::string& text) {
+  start_editing(session, text);
+  load_edited_text(session);
 }
 
 std::string file_text(const Session& session, const std::string& path) {
@@ -324,30 +343,14 @@ void cancel_edit(Session& session) {
 
 bool undo_edit(Session& session) {
   finish_edit(session);
-  Editing& editing = session.editing;
-  if (editing.done.empty()) {
-    return false;
-  }
-  EditStep step = std::move(editing.done.back());
-  editing.done.pop_back();
-  made(session, step.back);
-  editing.part = step.part_before;
-  editing.undone.push_back(std::move(step));
-  return true;
+  return move_last_step(session, session.editing.done, session.editing.undone, &EditStep::back,
+                        &EditStep::part_before);
 }
 
 bool redo_edit(Session& session) {
   finish_edit(session);
-  Editing& editing = session.editing;
-  if (editing.undone.empty()) {
-    return false;
-  }
-  EditStep step = std::move(editing.undone.back());
-  editing.undone.pop_back();
-  made(session, step.made);
-  editing.part = step.part_after;
-  editing.done.push_back(std::move(step));
-  return true;
+  return move_last_step(session, session.editing.undone, session.editing.done, &EditStep::made,
+                        &EditStep::part_after);
 }
 
 void new_scene(Session& session, const std::string& path) {
@@ -377,11 +380,7 @@ void save_scene(Session& session) {
     session.question = Question{
         scene_name(session) + " has been changed by another program.",
         {{"Replace its changes by mine", [](Session& s, const auto&) { write_text(s, s.path); }},
-         {"Read it, and lose my edits",
-          [now](Session& s, const auto&) {
-            start_editing(s, now);
-            load_edited_text(s);
-          }},
+         {"Read it, and lose my edits", [now](Session& s, const auto&) { replace_edits(s, now); }},
          {"Cancel", {}}}};
     return;
   }
@@ -418,10 +417,7 @@ void before_losing_edits(Session& session, std::function<void(Session&)> then) {
 }
 
 void ask_about_changed_file(Session& session, std::string text) {
-  const auto read = [text](Session& s, const std::string&) {
-    start_editing(s, text);
-    load_edited_text(s);
-  };
+  const auto read = [text](Session& s, const std::string&) { replace_edits(s, text); };
   const auto keep = [text](Session& s, const std::string&) { s.editing.saved = text; };
   session.question = Question{scene_name(session) + " has been changed by another program.",
                               {{"Keep my edits: saving will replace its changes", keep},

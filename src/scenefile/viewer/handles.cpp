@@ -16,6 +16,7 @@ namespace {
 constexpr double handle_length = 85;  // pixels of a normal-density screen
 constexpr double reach = 8;           // of the pointer
 constexpr double ring_share = 0.8;    // radius of rings, of the length
+constexpr double pixels_for_e = 150;  // that scale by the factor e, at the middle
 
 using Values = std::vector<std::optional<std::string>>;
 
@@ -89,7 +90,7 @@ double factor_of(const Session& session, const GraspedHandle& grasped) {
   const glm::dvec2 middle = middle_of(session, grasped.set);
   if (grasped.number == 3) {  // grasped at the middle: right or up is larger
     const glm::dvec2 by = session.pointer.at - grasped.pressed;
-    return std::exp((by.x - by.y) / 150);
+    return std::exp((by.x - by.y) / pixels_for_e);
   }
   const glm::dvec2 line = grasped.pressed - middle;
   const double whole = std::max(glm::dot(line, line), 1.0);
@@ -295,15 +296,16 @@ std::optional<HandleSet> handles_of(Session& session) {
       return std::nullopt;
     }
   }
-  set.along_axes = set.kind != Handles::scale || set.of_item;
-  set.central = set.kind != Handles::turn;
   return set;
 }
 
 std::vector<HandleLine> handle_lines(const Session& session, const HandleSet& set, double scale) {
   std::vector<HandleLine> lines;
   const double length = handle_length * scale * pixel_size(session, set.at);
-  for (int number = set.along_axes ? 0 : 3; number < (set.central ? 4 : 3); ++number) {
+  // The cone of a light and the camera's angle have no axes; nothing turns about all three.
+  const int first = set.kind != Handles::scale || set.of_item ? 0 : 3;
+  const int end = set.kind != Handles::turn ? 4 : 3;
+  for (int number = first; number < end; ++number) {
     HandleLine line{number, {}};
     for (const glm::dvec3& point : points_of(session, set, number, length)) {
       if (const std::optional<glm::dvec2> place = point_in_window(session, point)) {

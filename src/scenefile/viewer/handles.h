@@ -25,8 +25,6 @@ struct HandleSet {
   bool of_camera = false;
   glm::dvec3 at{0};                  ///< world space
   std::array<glm::dvec3, 3> axes{};  ///< unit length, world space
-  bool along_axes = true;            ///< has a handle for each axis
-  bool central = true;               ///< has one for all axes: number 3
 };
 
 /// A handle as it is drawn: a line for moving and scaling, a ring for turning, a point in the

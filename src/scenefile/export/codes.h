@@ -10,7 +10,7 @@ namespace scenefile {
 inline constexpr Code export_approximate{
     "export.approximate", Severity::note, "glTF or OBJ represents this differently",
     "glTF has physical materials and lights, and OBJ has no mirror colors. The nearest equivalent "
-    "is written; docs/formats.md lists which. glTF files also contain the scene's own values, so "
+    "is written; docs/convert.md lists which. glTF files also contain the scene's own values, so "
     "that convert can read them back."};
 inline constexpr Code export_lost{
     "export.lost", Severity::warning, "glTF or OBJ cannot represent this",

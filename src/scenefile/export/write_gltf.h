@@ -23,7 +23,7 @@ struct GltfOptions {
 /// files. Keeps the tree of nodes with its names. Templates are copied for each instance, but
 /// meshes and materials are shared. A transform with shear becomes two nodes. Lights are added at
 /// the top level, in world space. The conversion of materials and lights is described in
-/// export/phong_pbr.h and docs/formats.md; they also carry the format's own values in
+/// export/phong_pbr.h and docs/convert.md; they also carry the format's own values in
 /// `extras.scenefile`.
 ///
 /// Everything that glTF represents differently, or not at all, is reported once. Returns an empty

@@ -1,6 +1,6 @@
 #pragma once
 // A scene with its findings as JSON, and members shared by the output of several commands.
-// docs/formats.md describes the documents.
+// The schemas in schema/ describe the documents of check, explain and grade.
 
 #include "scenefile/base/realtime.h"
 #include "scenefile/trace/render_options.h"

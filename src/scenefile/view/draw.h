@@ -1,7 +1,7 @@
 #pragma once
 // Real-time rendering with OpenGL: render scene and assets to pixels, with OpenGL 4.1 core
 // restricted to features of WebGL2. Uses the same lighting equation as the tracer
-// (docs/rendering.md) at each pixel; docs/view.md lists what is left out.
+// (docs/rendering.md) at each pixel; docs/opengl.md lists what is left out.
 //
 // Usage: with a current context, create a GlDevice once; call upload() for each scene and draw()
 // for each frame. All functions and destructors need the context of create() to be current on their

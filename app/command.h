@@ -32,7 +32,7 @@ struct Context {
   char* const* command_line =
       nullptr;      ///< of main(), for replacing this process by another program
   UsedFiles files;  ///< inputs and outputs of the command
-  /// The name of the command, if its answer is to be JSON, also that it failed.
+  /// The name of the command, if it answers in JSON, even if it fails; otherwise empty.
   std::string_view json_command;
   std::string broken_configuration;  ///< scene_json(), if it is the reason of a failure
 };

@@ -92,7 +92,7 @@ constexpr std::array command_rows{
             "differ, with places in both files; or two pictures, the reference first: PSNR, SSIM, "
             "FLIP and, with the scene, the mistake that explains the "
             "difference. If --profile and --features are not given, those that fit the "
-            "reference are found. The exit status is 0 if they are the same and 1 if they differ.\n"
+            "reference are found. The exit status is 0 if they are the same and 1 if they differ. "
             "A path-traced picture is compared with the truth, which is drawn from the scene; no "
             "reference is needed. The exit status is 0 if it is right within its noise.",
             "scenefile diff old.xml new.xml\n"

@@ -26,8 +26,8 @@ bool writes_files(const Options& options);
 /// (ExitCode::environment).
 Outcome check_named_outputs(const Options& options);
 
-/// Creates the folder of the output, if it is missing and the scene exists. Whether that worked
-/// shows when the output is claimed.
+/// Creates the folder of the output, if it is missing and the scene exists. Failures are reported
+/// later, by claim_outputs().
 void make_output_folder(const Options& options);
 
 /// Adds files that are read to context.files. Returns an error (ExitCode::usage) for the first that

@@ -752,10 +752,11 @@ constexpr std::array option_rows{
     OptionRow{"--allow", "", "CODE",
               "Do not report findings of this code, denied or not. May be given several times.",
               for_check, set_allow},
-    OptionRow{"--fix", "", "",
-              "Correct what is certain in the files: words with one meaning, which change nothing "
-              "else. The findings and the exit status are those of the corrected files.",
-              for_check, set_flag<&Options::fix>},
+    OptionRow{
+        "--fix", "", "",
+        "Correct the mistakes in the files that have only one possible correction, such as "
+        "misspelled names. The findings and the exit status are those of the corrected files.",
+        for_check, set_flag<&Options::fix>},
     OptionRow{"--dry-run", "", "",
               "Like --fix, but change nothing: print the differences in the unified format.",
               for_check, set_flag<&Options::dry_run>},

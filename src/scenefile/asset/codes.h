@@ -128,9 +128,9 @@ inline constexpr Code mtl_before_newmtl{
 
 inline constexpr Code mtl_unknown_keyword{
     "mtl.unknown-keyword", Severity::warning, "a line of a material library is not understood",
-    "Read are newmtl, Kd, Ks, Ke, Ns, Ni, Tf (or Kt), d, Tr, illum, map_Kd, map_Ks and map_Ke; Ka "
-    "and other values of the format are skipped silently. Case matters. Reported once for each "
-    "keyword."};
+    "The keywords newmtl, Kd, Ks, Ke, Ns, Ni, Tf (or Kt), d, Tr, illum, map_Kd, map_Ks and map_Ke "
+    "are read; Ka and other values of the format are skipped silently. Case matters. Reported once "
+    "for each keyword."};
 
 inline constexpr Code mtl_value{
     "mtl.value", Severity::warning, "a value of a material cannot be read",
@@ -151,7 +151,7 @@ inline constexpr Code mtl_limit{
 inline constexpr Code mtl_energy{
     "mtl.energy", Severity::note, "a material reflects more light than it receives",
     "Where Kd + Ks is above 1 in a channel, each reflection adds energy, so the picture is too "
-    "bright. It is drawn as written, like the course's program does. Scale Kd and Ks down so that "
+    "bright. It is drawn as written, as in the course's program. Scale Kd and Ks down so that "
     "their sum is at most 1."};
 
 inline constexpr Code mtl_illum{

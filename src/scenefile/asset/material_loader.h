@@ -51,7 +51,7 @@ class MaterialLoader {
                              const MtlMaterial& written);
   std::uint32_t map_index(const std::string& mesh, const Library& library,
                           const FileReference& map);
-  // Reports what is drawn otherwise than the author may expect.
+  // Reports what may be drawn differently from what the author expects.
   void judge(const Library& library, const MtlMaterial& written, const FaceMaterial& m);
   void report(const Code& code, Location location, const std::string& file, std::string message,
               std::vector<std::string> notes = {});

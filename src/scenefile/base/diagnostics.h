@@ -19,7 +19,7 @@ namespace scenefile {
 
 enum class Severity : std::uint8_t { note, warning, error };
 
-/// How a kind of finding is treated specially.
+/// Special treatment of the findings of a code.
 enum class CodeKind : std::uint8_t {
   plain,
   dialect,  ///< a spelling of a dialect: an error under `--strict`

@@ -19,8 +19,8 @@ struct LineChange {
 };
 
 /// `same(i, j)`: whether line i of the first list equals line j of the second. The changes are the
-/// fewest, or nearly so if there are hundreds. Takes time linear in the number of lines, times at
-/// most a few hundred.
+/// fewest, or nearly so if there are hundreds. Takes time linear in the number of lines; the factor
+/// grows with the number of changes, up to a few hundred.
 std::vector<LineChange> line_changes(std::size_t size_a, std::size_t size_b,
                                      const std::function<bool(std::size_t, std::size_t)>& same);
 

@@ -1,6 +1,6 @@
 #pragma once
-// Properties of the shapes and lights of the format. What depends on one of them asks here, so that
-// a new shape or type of lights is decided in these switches.
+// Properties of the shapes and types of lights of the format. Other code asks for a property, not
+// for a type, so a new type only needs a case in these switches.
 
 #include "scenefile/base/shape.h"
 

@@ -24,12 +24,14 @@ struct PicturePlace {
 /// scene, at another size and with the same height angle.
 std::optional<PicturePlace> find_picture(const Texture& reference, const Texture& shown);
 
-/// If `place` is the reference itself, next to another picture of the same size: the place of that.
+/// The place of a picture next to the one at `place`, of the same size, if that one is the
+/// reference itself, as in a window that shows both.
 std::optional<PicturePlace> picture_next_to(const PicturePlace& place, const Texture& reference,
                                             const Texture& shown);
 
-/// Whether most edges of each picture have no edge of the other of their direction at their place:
-/// wrong colors keep some of them, but another scene or camera does not. The sizes must be equal.
+/// Whether most edges of each picture have no counterpart in the other, at the same place and in
+/// the same direction. Wrong colors keep some of the edges; another scene or camera does not. The
+/// sizes must be equal.
 bool have_other_outlines(const Texture& a, const Texture& b);
 
 /// The pixels of the rectangle, which must be inside the picture.

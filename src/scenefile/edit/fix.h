@@ -19,7 +19,7 @@ namespace scenefile {
 /// file, in any encoding but UTF-16.
 std::optional<Edit> fix(std::string_view bytes, const Diagnostic& finding);
 
-/// A change with its places instead of offsets: what is from `from` to before `to` becomes `text`.
+/// A change by places instead of offsets: `text` replaces the range [from, to).
 struct Replacement {
   Location from;
   Location to;
@@ -43,8 +43,8 @@ struct FixedText {
 ///   what follows a mistake at which reading stopped;
 /// - for a warning, the scene is the same; for an error, it differs in no more than the values that
 ///   were in error.
-/// Keeps all other bytes; the number of lines stays. Takes as long as reading the text some times.
-/// Findings of the codes in `ignored` are left alone.
+/// All other bytes and the number of lines stay the same. Takes as long as reading the text several
+/// times. Findings of the codes in `ignored` are not fixed.
 FixedText fix_text(std::string text, const ReadOptions& options,
                    const std::vector<std::string>& ignored = {});
 

@@ -48,7 +48,7 @@ bool fits(const Edit& edit, std::size_t size);
 /// The text after an edit that fits.
 std::string applied(std::string_view text, const Edit& edit);
 
-/// The edit that takes back `edit`, which was made to the text `before`:
+/// The edit that undoes `edit`, which was applied to the text `before`:
 /// applied(applied(before, edit), inverse(before, edit)) == before.
 Edit inverse(std::string_view before, const Edit& edit);
 

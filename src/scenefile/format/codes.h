@@ -504,8 +504,8 @@ inline constexpr Code config_missing_key{
     Severity::error,
     "the configuration is missing a key",
     "A configuration needs at least scene and output in [IO], width and height in [Canvas]; one of "
-    "the path tracer imageWidth and imageHeight in [Settings]. Its other keys count as 0 if they "
-    "are missing, with a warning, as in the course's program; counts as 1.",
+    "the path tracer imageWidth and imageHeight in [Settings]. If other keys of the path tracer "
+    "are missing, numbers of samples count as 1 and all other values as 0, with a warning.",
     CodeKind::plain,
     Severity::warning};
 inline constexpr Code config_picture_format{

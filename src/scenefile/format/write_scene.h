@@ -45,7 +45,8 @@ struct ListedLine {
   static constexpr NodeId no_group = 0xffffffffu;
 };
 
-/// The text of write_scene() for a comparison: without indentation and without what has no effect.
+/// The text of write_scene() for comparing scenes: without indentation, and without values that
+/// have no effect.
 struct SceneListing {
   Scene form;  ///< the scene as it is written
   std::string text;

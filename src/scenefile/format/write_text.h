@@ -31,7 +31,7 @@ class LineStarts {
     next_ = {0, what, place, node, 0};
   }
   void start(std::string& out, std::size_t depth);
-  /// Both zeros are one value, but only a listing can forget the sign.
+  /// The number; a listing writes -0 as 0, because both are the same value in a comparison.
   std::string number(float value) const;
 
  private:

@@ -60,8 +60,8 @@ std::size_t typographic_quote(std::string_view text);
 /// Accepts any text in an encoding that is a superset of ASCII; only UTF-8 is plain. White space
 /// between tokens is not a token. Markup that is not closed extends to the end of the text. A tag
 /// that is not well-formed ends at the first `>` outside of quotes, and its attributes are those
-/// before the mistake; a value without quotation marks is not one if its end is clear. `<--` counts
-/// as the start of a comment, which ends before the next `<` at the latest.
+/// before the mistake; a missing quotation mark is not such a mistake if the end of the value is
+/// clear. `<--` counts as the start of a comment, which ends before the next `<` at the latest.
 class XmlScanner {
  public:
   explicit XmlScanner(std::string_view text) : text_(text) {}

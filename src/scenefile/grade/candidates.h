@@ -15,8 +15,9 @@ inline constexpr std::size_t few_points = 100;  ///< points used to screen combi
 
 /// Whether the claim satisfies the thresholds in evidence.h.
 bool good(const Tried& t);
-/// Whether what the mistakes leave is rounding: at most points that they are to explain, the color
-/// is the test's but for rounding. A mistake that imitates another one is near it, but not equal.
+/// Whether the mistakes leave nothing but rounding: at most of the points that they should explain,
+/// the simulated color equals that of the test within rounding. A mistake that only imitates the
+/// actual one comes close, but is not equal.
 bool leaves_only_rounding(const Simulation& sim, const Combination& mistakes);
 /// Whether the claim satisfies all thresholds, which are higher for several mistakes.
 bool good_enough(const Simulation& sim, const Tried& t);
@@ -26,7 +27,7 @@ bool reproduces_all(const Tried& t);
 bool sure(const Tried& t);
 /// Whether `a`, with more mistakes than `b`, leaves much less, or makes nearly all pixels right.
 bool clearly_better(const Tried& a, const Tried& b);
-/// Mistakes that leave at most this difference count as equal to one that leaves `raw` of `all`.
+/// The largest remaining difference that counts as a tie with a mistake that leaves `raw` of `all`.
 double tie_limit(double raw, double all);
 /// Stable; the smallest key first.
 void sort_by(std::vector<Tried>& list, double (*key)(const Tried&));
@@ -50,7 +51,8 @@ bool is_about_brightness(Cause cause);
 /// picture.
 std::vector<std::uint16_t> same_instead(const Simulation& sim, const Combination& mistakes,
                                         std::uint16_t member);
-/// The points where the picture with the mistakes is not the test, and the others.
+/// The points where the picture with the mistakes differs from the test, and those where it does
+/// not.
 struct WrongAndRight {
   std::vector<Point> wrong;
   std::vector<Point> right;
@@ -58,7 +60,7 @@ struct WrongAndRight {
 WrongAndRight wrong_and_right(const Simulation& sim, const Combination& mistakes);
 /// The correlation between the colors of the first points and those of the test.
 double likeness(const Simulation& sim, const Colors& colors);
-/// What a change of the colors does, as weights of points.
+/// The effect of a change of the colors, as sums of the weights of points.
 struct Effect {
   double changed = 0;          ///< points that change visibly
   double right = 0;            ///< of those: right with the change
@@ -77,8 +79,8 @@ Tried without_needless(Simulation& sim, Tried found);
 /// Other combinations of those tried that give the same picture without any of the mistakes found.
 std::vector<Tried> equal_instead(const Simulation& sim, const Tried& found,
                                  const std::vector<Tried>& tried);
-/// The mistakes with one more, for those that explain most of the remaining difference. Scores are
-/// of some of the points.
+/// The mistakes combined with one more, for each of those that explain most of the remaining
+/// difference. Scored at some of the points only.
 std::vector<Tried> likely_additions(Simulation& sim, const Combination& mistakes);
 /// Adds the mistake that explains most of the remaining difference, if any.
 Tried completed(Simulation& sim, const Tried& found);

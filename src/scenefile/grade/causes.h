@@ -99,7 +99,7 @@ struct CauseReport {
   std::vector<Claim> rivals;
   /// A mistake that explains only a part: something else is wrong too, or instead.
   std::vector<Claim> partial;
-  /// Part of the explanation, beside `claims`, but no mistakes: other ways of sampling.
+  /// Parts of the explanation that are not mistakes, such as other ways of sampling.
   std::vector<Claim> notes;
   /// Without claims: what nearly all pixels that differ have in common, and few others, in words,
   /// such as "99 % of the pixels that differ show highlights; so do 2 % of the others". May be

@@ -15,7 +15,8 @@ std::optional<RenderScene> ready_with_same_files(const RenderScene& scene, const
 /// alone, beside some of the combinations in `beside`, or beside another mistake.
 std::optional<Tried> find_edited_scene(Simulation& sim, const std::vector<Combination>& beside);
 
-/// The mistakes with an edited scene in addition that explains what they leave, if there is one.
+/// The mistakes together with an edited scene that explains the remaining difference, if there is
+/// one.
 std::optional<Tried> find_edit_beside(Simulation& sim, const Combination& mistakes);
 
 }  // namespace scenefile

@@ -18,8 +18,8 @@ std::optional<Hypothesis> addition_to_objects(const std::vector<Point>& points,
 /// `without`: the colors before the curve; `with`: after it.
 bool curve_holds(const Texture& reference, const std::vector<Point>& points, const Colors& without,
                  const Colors& with);
-/// Factors of the finished picture that hold, within rounding, for many values of a picture with
-/// any other mistake. They may be combined with others. Needs the cache.
+/// Factors of the finished picture, to be combined with other mistakes: those that explain many
+/// values within rounding, beside some other mistake. Needs the cache.
 void add_factors_of_picture(Simulation& sim);
 /// A camera that shows objects larger or smaller, or stretched.
 void add_zooms(Simulation& sim);

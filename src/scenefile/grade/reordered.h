@@ -14,12 +14,12 @@ struct Reordered {
   bool sure = true;  ///< the test is unlike the reference, and the picture is like it
 };
 
-/// The test with pixels in the order of rows, if they are in that of columns: neighboring pixels
-/// are far more alike then.
+/// The test with its pixels in row-major order, if they seem to be in column-major order:
+/// neighboring pixels are then far more alike.
 std::optional<Reordered> in_right_order(const Texture& test);
 
-/// The test turned, or with channels in another order, if it is far more like the reference in it.
-/// Sizes must be equal.
+/// The test turned, or with its channels in another order, if that makes it far more similar to the
+/// reference. Sizes must be equal.
 std::optional<Reordered> in_likelier_order(const Texture& reference, const Texture& test);
 
 }  // namespace scenefile

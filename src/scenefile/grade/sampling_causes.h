@@ -15,8 +15,8 @@ inline constexpr const char* missed_samples =
     "pixels stay black where one of several samples misses everything";
 /// That pixels are means of samples, in words. `side`: samples across and down.
 std::string words_of_samples(int side);
-/// If the points are those of the right picture with other samples of pixels or filtered textures,
-/// says so, as a note. Otherwise drops the points for which that is true, if they are most.
+/// A note if other samples per pixel, or filtered textures, explain all of the points. Otherwise
+/// drops the points that they explain, if these are the majority.
 /// `points` only has pixels that differ, chosen from `different`.
 std::optional<Claim> drop_other_samples(Simulation& sim,
                                         const std::vector<std::uint32_t>& different);

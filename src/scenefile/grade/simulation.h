@@ -71,7 +71,7 @@ struct Simulation {
   };
   mutable std::deque<Drawn> drawn_before{};
   mutable std::mutex drawn_before_mutex{};
-  /// The last shapes that mistakes led to. They do not depend on the points.
+  /// A cache of the shapes of recent combinations. They do not depend on the points.
   mutable std::deque<std::pair<Combination, std::shared_ptr<const ModelShapes>>> shapes_before{};
   mutable std::mutex shapes_before_mutex{};
   mutable std::atomic<std::uint64_t> rays{0};
@@ -106,7 +106,8 @@ struct Simulation {
   double weight_that_differs(std::size_t count) const;
   /// Whether enough points differ to be evidence.
   bool significant() const;
-  /// Of the first `count` points, or of all if there are fewer; so are the scores below.
+  /// Of the first `count` points, or of all if there are fewer. The same holds for the scores
+  /// below.
   Base base(std::size_t count) const;
   /// The picture with these mistakes; nullopt if none affects drawing. Sets `work` if it is drawn
   /// now.

@@ -6,8 +6,8 @@
 
 namespace scenefile {
 
-/// The mistakes with those in addition that explain the few pixels that they leave. Looks at far
-/// more pixels than the simulation's points; where it finds a mistake, these become its points.
+/// Adds the mistakes that explain the few pixels that `found` leaves unexplained. Examines far more
+/// pixels than the simulation's points; if it finds a mistake, they become the new points.
 Tried with_smaller_mistakes(Simulation& sim, const Pixels& pixels, Tried found);
 
 }  // namespace scenefile

@@ -18,9 +18,9 @@ void handle_signals();
 /// there (at most 511 bytes).
 void end_after(double seconds, const std::string& message, const std::string& answer = {});
 
-/// Whether write_file() and the like have begun to write to standard output.
+/// Whether writing to standard output has begun.
 bool used_standard_output();
-/// They call it before they write.
+/// To be called before writing to standard output, as write_file() does.
 void use_standard_output();
 
 /// While an object of this class exists, the first SIGINT, SIGTERM or SIGHUP gives the process

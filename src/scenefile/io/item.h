@@ -19,19 +19,19 @@ std::string item_text(std::string_view key);
 /// Puts the checksum into the first item_text() in the bytes, which are then complete.
 void seal_item(std::string& bytes);
 
-/// A value that differs between two keys; empty where the key does not have it.
+/// A value that differs between two keys; empty in a key that lacks it.
 struct KeyDifference {
   std::string name;
   std::string found;
   std::string wanted;
 };
-/// All of them: in the order of `wanted`, then those that only `found` has.
+/// All differences, in the order of `wanted`, followed by the values that only `found` has.
 std::vector<KeyDifference> compare_keys(std::string_view found, std::string_view wanted);
 
 enum class ItemState : std::uint8_t {
   intact,   ///< sealed and unchanged since; it may have another key
   damaged,  ///< there is an item_text(), or a part of it, but the checksum is wrong
-  none,     ///< it is no item, or the text itself is damaged
+  none,     ///< not an item, or the text itself is damaged
 };
 struct Item {
   ItemState state = ItemState::none;

@@ -1,16 +1,18 @@
 #pragma once
 // Whether a path-traced picture is right within its noise, and if not, which mistake it shows.
 //
-// The means of blocks of 8x8 pixels are compared with the truth's. Their variance is that of the
-// truth's samples, shrunk to neighboring blocks and scaled by the median of what the picture's own
-// pixels vary within blocks, plus the measured noise of the truth. Each known mistake is a picture
-// with the same paths (path_truth.h), some with a factor, which is fitted by weighted least squares
-// beside a shift by parts of a pixel; errors of factors include those of the residuals.
+// The means of blocks of 8x8 pixels are compared with the truth's. The variance of a block is
+// estimated from the truth's samples, averaged with neighboring blocks, and scaled by the median
+// ratio of the picture's variance within its blocks to that estimate; the measured noise of the
+// truth is added. Each known mistake is a picture of the same paths (path_truth.h). Some have a
+// factor, which is fitted by weighted least squares together with a subpixel shift; the standard
+// errors of factors take the residuals into account.
 //
-// A difference counts if it is `claim_errors` standard errors, and `least_effect` of the light
-// concerned. For normal noise that is a corrected level (Sidak) of less than 1e-6 for all that is
-// tested; the margin is for the heavy tails of path tracing. A mistake is named if it leaves at
-// most a tenth of the excess over the noise, and no other one explains the picture as well.
+// A difference counts if it exceeds `claim_errors` standard errors and `least_effect` of the light
+// that it concerns. For normal noise, the significance level of all tests together is then below
+// 1e-6 (Sidak's correction); the margin allows for the heavy tails of path tracing. A mistake is
+// named if it leaves at most a tenth of the excess over the noise, and no other one explains the
+// picture as well.
 
 #include "scenefile/asset/image_file.h"
 #include "scenefile/noise/path_truth.h"

@@ -1,5 +1,6 @@
 #pragma once
-// Weighted least squares over blocks, with errors that hold although the noise is not known well.
+// Weighted least squares over blocks, with standard errors that remain valid if the estimate of the
+// noise is wrong.
 // Internal to noise.
 
 #include "scenefile/noise/path_truth.h"

@@ -101,13 +101,13 @@ inline constexpr Code light_direction_zero{
     "their light travels."};
 inline constexpr Code light_function_zero{
     "light.function-zero", Severity::warning, "an attenuation function of zeros",
-    "The light is divided by function.x + function.y d + function.z d^2 (JSON: attenuationCoeff), "
-    "where d is the distance. All zeros would divide by zero; they count as 1 0 0, no "
-    "attenuation."};
+    "The light is divided by v1 + v2 d + v3 d^2, where v1, v2 and v3 are the values of function "
+    "(JSON: attenuationCoeff) and d is the distance. All zeros would divide by zero; they count as "
+    "1 0 0, no attenuation."};
 inline constexpr Code light_function_negative{
     "light.function-negative", Severity::warning, "a negative attenuation coefficient",
-    "The light is divided by function.x + function.y d + function.z d^2 (JSON: attenuationCoeff), "
-    "where d is the distance. A negative coefficient counts as 0."};
+    "The light is divided by v1 + v2 d + v3 d^2, where v1, v2 and v3 are the values of function "
+    "(JSON: attenuationCoeff) and d is the distance. A negative coefficient counts as 0."};
 inline constexpr Code light_color_negative{"light.color-negative", Severity::warning,
                                            "a light of negative color",
                                            "Such a light subtracts light. It is used as written."};

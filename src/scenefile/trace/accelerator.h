@@ -120,7 +120,8 @@ class Accelerator {
   glm::dvec3 transmittance(const Ray& ray, double t_min, double t_max,
                            const Transmission& transmission, const void** blocker = nullptr) const;
 
-  /// What is searched, for other search algorithms. Has no groups if it is empty.
+  /// The parts that rays are tested against, for other search algorithms; no groups if the scene is
+  /// empty.
   const Parts& parts() const;
   /// A BVH of the root group's parts, for bundles of rays; empty if there are few or very many
   /// parts, or instances among them. Built at the first call.

@@ -53,9 +53,9 @@ std::string options_text(const RenderOptions& options);
 /// references usually use.
 std::vector<DrawnWay> possible_ways(std::span<const RenderOptions> profiles, bool features_known);
 
-/// `ways`, with that of the course's project first after which a folder in the path of the
-/// reference is named, as the course's are: Intersect, grading_illuminate, intersect_normal_color.
-/// The last such folder counts. Of ways that fit a reference equally, the first is used.
+/// `ways`, reordered: if a folder in the path of the reference is named after a project of the
+/// course (Intersect, grading_illuminate, intersect_normal_color), the way of that project comes
+/// first. The last such folder counts. Of ways that fit a reference equally, the first is used.
 std::vector<DrawnWay> folder_first(std::string_view reference, std::vector<DrawnWay> ways);
 
 /// A way of drawing the assignment Realtime.

@@ -61,8 +61,8 @@ class ClassGrader {
   /// The files of the references and of the class, used or not: no output may replace one of them.
   const std::vector<UsedFile>& inputs() const;
 
-  /// What was taken otherwise than the person who grades may expect: a sentence each, without a
-  /// period at the end.
+  /// Decisions that the grader may not expect, such as which of two pictures was graded: a sentence
+  /// each, without a period at the end.
   const std::vector<std::string>& notes() const;
 
   /// The class without results: its name, and the files that are ignored.

@@ -26,10 +26,10 @@ class Canvas {
   /// Takes a picture of the scene that has been drawn. Returns false if there is none.
   bool take(Session& session);
 
-  /// Requests the picture of the scene, unless it is there. While the camera moves, and
-  /// for the first picture of a large scene, it is as coarse as the last pictures were slow; at
-  /// rest it gets better step by step. When in a hurry, shadows that have not been drawn yet are
-  /// skipped.
+  /// Requests the picture of the scene, unless it is there. While the camera moves, and for the
+  /// first picture of a large scene, its resolution depends on how long recent pictures took; at
+  /// rest it gets better step by step. Coarse pictures skip shadow maps that have not been drawn
+  /// yet.
   void draw(const Session& session);
   /// Draws the best picture, and waits for it.
   void finish(Session& session);

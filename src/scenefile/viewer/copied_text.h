@@ -1,5 +1,5 @@
 #pragma once
-// What the key for copying copies.
+// The text that Ctrl+C copies.
 
 #include "scenefile/viewer/session.h"
 

@@ -22,7 +22,7 @@ struct EditedPart {
   std::uint32_t from = 0;
 };
 
-/// An edit that was made, the one that takes it back, and the selection before and after.
+/// An edit that was made, its inverse, and the selection before and after.
 struct EditStep {
   Edit made;
   Edit back;
@@ -46,13 +46,13 @@ struct Editing {
   bool new_file = false;      ///< nothing has been read or written yet
   std::uint64_t version = 0;  ///< changes with `text`; SceneOnShow::text_version says what is shown
   std::vector<EditStep> done;
-  std::vector<EditStep> undone;  ///< the one to be made again next is the last
+  std::vector<EditStep> undone;  ///< redo_edit() takes the last
   std::optional<EditInProgress> progress;
   std::optional<EditedPart> part;  ///< the selection; empty: none, or not known yet
   // Cached: the document of the text, once someone asks for it.
   std::optional<Document> document;
   std::string refusal;       ///< why there is none
-  std::uint64_t opened = 0;  ///< the version of the text that they are of
+  std::uint64_t opened = 0;  ///< the version of the text that was tried
 };
 
 /// Something to decide before anything else is done. The last answer changes nothing: Escape.
@@ -98,7 +98,7 @@ inline constexpr int edit_by_handle = -1;
 void continue_edit(Session& session, const Result<Edit>& edit);
 /// Ends the edit in progress, if there is one: it can be undone from now on.
 void finish_edit(Session& session);
-/// Takes back the edit in progress.
+/// Reverts the edit in progress.
 void cancel_edit(Session& session);
 
 bool undo_edit(Session& session);  ///< false: there is nothing to undo

@@ -296,8 +296,8 @@ double difference_at(const PicturePlace& place, const Texture& reference, const 
   return sum / static_cast<double>(std::max<std::size_t>(1, count));
 }
 
-// The place with each side that is not at the edge of the picture moved to where the colors change
-// most: to the frame. nullopt if there is none: then the picture only shows more of the scene.
+// The place, with each side that is inside the picture moved to the strongest change of colors near
+// it, which is the frame. nullopt if there is no frame: the picture only shows more of the scene.
 std::optional<PicturePlace> within_frame(const PicturePlace& place, const Texture& shown) {
   const Borders borders(shown);
   const glm::ivec2 limit(shown.width, shown.height);

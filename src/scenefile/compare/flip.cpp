@@ -75,7 +75,7 @@ struct Sensitivity {
   double b = 1;
 };
 
-// Without the outer weights that a float cannot add to the others.
+// Drops outer weights that are too small to change a sum of floats.
 Taps shortened(const Taps& taps) {
   const std::size_t middle = taps.size() / 2;
   std::size_t radius = middle;

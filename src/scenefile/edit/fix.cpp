@@ -405,7 +405,7 @@ std::vector<Candidate> candidates_of(std::string_view text, const Reading& readi
   return candidates;
 }
 
-// Where a place of the text was before the edits that `backs` take back.
+// The place in the original text; `backs`: the inverses of the edits since then.
 Location original_place(std::string_view original, std::string_view text, Location location,
                         const std::vector<Edit>& backs) {
   const FileText file(text);

@@ -27,7 +27,7 @@ bool is_blank(std::string_view text) {
   return text.find_first_not_of(blanks) == std::string_view::npos;
 }
 
-// One step of indentation: how much deeper the first line is that is deeper than the one before.
+// One step of indentation, from the first line that is indented deeper than the line before it.
 std::string unit_of(std::string_view text) {
   text = text.substr(0, sample);
   std::size_t before = 0;

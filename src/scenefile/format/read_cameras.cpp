@@ -80,7 +80,7 @@ class CameraReader {
   }
 
  private:
-  // Messages quote other keys only then: otherwise the file is none of cameras.
+  // Messages quote other keys only if this is true; otherwise the file does not describe cameras.
   bool has_views() const {
     JsonIndex key = 1;
     while (key < tape_.end(0) && tape_.string(key) != "views") {

@@ -141,7 +141,8 @@ bool leaves_out_unseen(const Simulation& sim, std::uint16_t i) {
          !any_differs(sim.predicted({i}, count), sim.predicted({}, count), tolerance);
 }
 
-// Beside other mistakes, one that may only be such features; nullopt if it is no such mistake.
+// A mistake in features that the reference does not show, if it gives the same picture as `member`
+// beside the other mistakes; otherwise nullopt.
 std::optional<std::uint16_t> features_left_out(const Simulation& sim, const Combination& mistakes,
                                                std::uint16_t member) {
   const std::size_t count = sim.points.size();
@@ -155,7 +156,7 @@ std::optional<std::uint16_t> features_left_out(const Simulation& sim, const Comb
   return found == same.end() ? std::nullopt : std::optional(*found);
 }
 
-// Moves claims that are no mistakes to the notes: of one of `mistakes` each.
+// Moves claims that are not mistakes to the notes. Each claim is about one of `mistakes`.
 void separate_notes(const Simulation& sim, const Combination& mistakes, CauseReport& report) {
   for (std::size_t k = mistakes.size(); k-- > 0;) {
     const std::optional<std::uint16_t> left_out =
@@ -172,8 +173,8 @@ void separate_notes(const Simulation& sim, const Combination& mistakes, CauseRep
   }
 }
 
-// Names the mistakes that give the same picture in place of one of several: one of each kind first,
-// the likeliest before others. Then a combination of others, in place of all.
+// Names the mistakes that could replace one of several without changing the picture: first one of
+// each kind, the likeliest before the others. Then a combination that could replace all of them.
 void name_ties(const Simulation& sim, const Tried& found, const std::vector<Tried>& equal,
                CauseReport& report) {
   std::set<std::uint16_t> seen_instead;
@@ -282,7 +283,7 @@ void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& 
   add_alternatives(report.claims.back(), same);
 }
 
-// Whether two claims are of one mistake, made twice: then, it imitates another one.
+// Whether two claims name the same mistake. A mistake that is made twice imitates another one.
 bool claims_one_twice(const CauseReport& report) {
   std::set<std::string_view> seen;
   return std::any_of(report.claims.begin(), report.claims.end(),
@@ -456,7 +457,7 @@ std::vector<Tried> with_fitted_functions(Simulation& sim, std::vector<Tried> alo
     best = t.explained >= part && (!best || t.explained > best->explained) ? t : best;
   }
   std::erase_if(fitting, [&](const Tried& t) { return !is_cause(sim, t); });
-  // Where several functions fit, the picture tells none of them.
+  // If several functions fit, the picture does not determine any of them.
   if (std::any_of(fitting.begin(), fitting.end(), [&](const Tried& t) {
         return sim.list[t.mistakes.front()].cause != sim.list[fitting[0].mistakes.front()].cause;
       })) {
@@ -663,7 +664,7 @@ double exact_share(const Simulation& sim, const PlacedCopy& copy) {
 }
 
 CauseReport look_for_causes(Simulation& sim, LookFor asked) {
-  // What a picture lost by compression or scaling may hide that an edit is not the right one.
+  // Compression and scaling lose details that could show that an edit is wrong.
   const bool edited =
       asked == LookFor::several_at_once && sim.view != nullptr && sim.view->samples == 1;
   LookFor look_for = asked;

@@ -424,7 +424,7 @@ struct Seen {
   double merit() const { return all > 0 ? differs * differs / all : 0; }
 };
 
-// The keys with the most merit first, and last those that are seen in mirrors at most.
+// Sorted by merit, the highest first; objects that are seen only in mirrors, if at all, come last.
 template <typename Key>
 std::vector<Key> by_merit(const std::map<Key, Seen>& seen, std::size_t max_count) {
   std::vector<std::pair<double, Key>> ranked;
@@ -649,9 +649,9 @@ std::optional<Tried> Search::tried(const SceneValue& value, Fit fit) {
   if (shade && t.explained < 0.999) {
     return std::nullopt;
   }
-  // Many mistakes are nearly like an edit. What is drawn from an edited scene is equal but for
-  // rounding, of the picture and of the edit. Measured: 0.83 and more of the pixels that edits
-  // change, and at most 0.6 of those that another value than the edited one changes.
+  // Many mistakes look nearly like an edit. A picture of an edited scene is equal except for the
+  // rounding of the picture and of the edited value. Measured: for the value that was edited, at
+  // least 0.83 of the pixels that it changes are equal, for any other value at most 0.6.
   constexpr double most_equal = 0.75;
   const std::size_t count = sim_.points.size();
   const Effect e = effect_of(sim_, sim_.predicted(all, count), sim_.predicted(beside_, count));

@@ -104,7 +104,7 @@ PlacedCopy placed_copy(std::string what, const Texture& reference, const CopyPla
 }
 
 // Whether the shift is the same in all parts of the picture. If the camera moved, near objects
-// move farther than distant ones, and the edges of the picture otherwise than its middle.
+// move farther than distant ones, and the edges of the picture move differently from its middle.
 bool same_everywhere(const Texture& reference, const Texture& test, const glm::ivec2& shift) {
   constexpr int tiles = 4;  // across and down
   constexpr int min_pixels = 24;

@@ -424,7 +424,7 @@ std::string results(const StudentResult& student, std::size_t index,
   return html;
 }
 
-// Lines about the whole class that are no mistakes.
+// Lines about the whole class that do not report mistakes.
 std::string class_notes(std::string_view title, std::string_view remark,
                         const std::vector<std::string>& lines) {
   if (lines.empty()) {

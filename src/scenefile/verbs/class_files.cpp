@@ -106,7 +106,8 @@ class Lister {
 
   void add_class(const std::string& folder) {
     if (!is_folder(folder)) {
-      // The archive itself is no folder of the class. It was named, so links to it are followed.
+      // The archive itself is not in a folder of the class. The user named it, so links to it are
+      // followed.
       const FoundFile archive = file_of(follow_links(folder), {});
       left_ = class_archive_budget.entries;
       const std::string why = add_archive(archive, {}, class_archive_budget);

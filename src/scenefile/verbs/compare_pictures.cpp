@@ -132,9 +132,9 @@ std::vector<DrawnWay> ways_of(const Texture& reference, const LoadedScene& scene
                                : ways_drawn(reference, scene, settings.ways);
 }
 
-// Sorts those after the first, which is the likeliest way to draw the reference: equally likely
-// ones first, of these the ones with the most other features. A program that does not draw what the
-// reference was made for often draws none of it.
+// Sorts all but the first, which is the likeliest way to draw the reference: equally likely ones
+// first, and among these, those whose features differ most from the first. A program that lacks one
+// of the features of an assignment often lacks all of them.
 void most_different_first(std::span<const SceneView> views, std::vector<AlikeView>& best) {
   const Features& first = views[best.front().index].options.features;
   const auto unlike = [&](const AlikeView& one) {

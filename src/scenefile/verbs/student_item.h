@@ -12,8 +12,8 @@ namespace scenefile {
 /// that are not UTF-8, and pictures, are base64.
 std::string encode_student(const StudentResult& student, std::string_view key);
 
-/// Its inverse, for documents of this build of the program. Returns false if the bytes are no such
-/// document.
+/// Its inverse, for documents of this build of the program. Returns false if the bytes are not such
+/// a document.
 bool decode_student(std::string_view bytes, StudentResult& student);
 
 }  // namespace scenefile

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks the pages: links lead somewhere, and the commands that are shown run.
 
-    pages.py links                  every link of every page leads to an existing page and heading
+    pages.py links                  every link of every page leads to an existing page and heading; first pages are short
     pages.py commands PROGRAM       every line that begins with `scenefile` runs, on files with the names it uses
 
 A command ends with status 0, or 1 for findings and differences. Commands of the window draw one picture on a virtual screen, if there is
@@ -49,6 +49,14 @@ def anchors(page):
             words = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading[1])
             names.add(re.sub(r"[-\s]+", "-", re.sub(r"[^\w\s-]", "", words).strip().lower()))
     return names | set(re.findall(r'(?:id|name)="([^"]+)"', text))
+
+
+def too_long():
+    """Pages that are to be read at once, with more lines than that allows."""
+    most = {"README.md": 120, "CONTRIBUTING.md": 120, "ARCHITECTURE.md": 150}
+    most |= {f"docs/{name}.md": 120 for name in ("index", "install", "student", "grader", "author", "builder")}
+    sizes = {name: len((ROOT / name).read_text().splitlines()) for name in most}
+    return [f"{name}: {sizes[name]} lines, and {limit} are the most" for name, limit in most.items() if sizes[name] > limit]
 
 
 def dead_links():
@@ -176,6 +184,8 @@ def main():
     if sys.argv[1:] == ["links"]:
         wrong, count = dead_links()
         print(*wrong, f"{count} links, {len(wrong)} dead", sep="\n")
+        wrong += (long := too_long())
+        print(*long, sep="\n", end="\n" if long else "")
     elif len(sys.argv) == 3 and sys.argv[1] == "commands":
         wrong, count, left_out = run_commands(pathlib.Path(sys.argv[2]).resolve())
         print(*wrong, f"{count} commands ran, {len(wrong)} wrong, {left_out} skipped because there is no screen", sep="\n")

@@ -48,6 +48,13 @@ LoadedScene load_scene_of_pictures(const std::string& path, const Options& optio
   return scene;
 }
 
+std::vector<RenderOptions> possible_profiles(const Options& options) {
+  if (was_given(options, "--profile")) {
+    return {options.render};
+  }
+  return {render_options(options, Profile::course), render_options(options, Profile::fine)};
+}
+
 CompareSettings compare_settings(const Options& options) {
   CompareSettings settings;
   settings.thresholds = options.thresholds;
@@ -56,11 +63,7 @@ CompareSettings compare_settings(const Options& options) {
     settings.ways = {realtime_way(options.realtime_panel, realtime_unknowns(options))};
     return settings;
   }
-  std::vector<RenderOptions> profiles{options.render};
-  if (!was_given(options, "--profile")) {
-    profiles = {render_options(options, Profile::course), render_options(options, Profile::fine)};
-  }
-  settings.ways = possible_ways(profiles, was_given(options, "--features"));
+  settings.ways = possible_ways(possible_profiles(options), was_given(options, "--features"));
   return settings;
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace scenefile::app {
 
@@ -32,6 +33,8 @@ LoadedPicture load_picture(const PictureInput& input, const std::string& layer, 
 LoadedScene load_scene_of_pictures(const std::string& path, const Options& options,
                                    Context& context);
 
+/// The profiles that a picture may have: the given one, or all of the ray tracer.
+std::vector<RenderOptions> possible_profiles(const Options& options);
 /// The settings of diff and grade.
 CompareSettings compare_settings(const Options& options);
 

@@ -137,17 +137,20 @@ constexpr std::array command_rows{
             "scenefile explain chess.xml --pixel 320,240 --profile course --mine mine.png\n"
             "scenefile explain chess.xml --pixel 320,240 --json",
             run_explain},
-    Command{"view", for_view, "[SCENE [PICTURE]]", "look at a scene in a window",
-            "Shows the scene, or the scenes of a folder, in a window: move through it, edit the "
-            "file and see the change, select objects, trace rays, compare with a picture. Without "
-            "a scene, the window shows recent files and folders. F1 in the window lists all keys.",
-            "scenefile view\n"
-            "scenefile view chess.xml\n"
-            "scenefile view chess.xml reference.png\n"
-            "scenefile view scenes/\n"
-            "scenefile view chess.xml --profile course --trace\n"
-            "xvfb-run -a scenefile view chess.xml --screenshot window.png",
-            run_view, at_most_two},
+    Command{
+        "view", for_view, "[SCENE [PICTURE]]", "look at a scene in a window",
+        "Shows the scene, or the scenes of a folder, in a window: move through it, edit the "
+        "file and see the change, select objects, trace rays, compare with a picture. A picture "
+        "without a role is the reference if it equals ours, else mine. Without a scene, the "
+        "window shows recent files and folders. F1 in the window lists all keys.",
+        "scenefile view\n"
+        "scenefile view chess.xml\n"
+        "scenefile view chess.xml mine.png\n"
+        "scenefile view chess.xml --reference reference.png --mine mine.png\n"
+        "scenefile view scenes/\n"
+        "scenefile view chess.xml --profile course --trace\n"
+        "xvfb-run -a scenefile view chess.xml --screenshot window.png",
+        run_view, at_most_two},
     Command{"lsp",
             for_lsp,
             "",

@@ -423,12 +423,15 @@ constexpr std::array option_rows{
     OptionRow{"--pixel", "", "X,Y",
               "The pixel to explain; 0,0 is the one at the top left. Required.", for_explain,
               set_pixel},
+    OptionRow{"--reference", "", "PICTURE",
+              "The right picture of the scene, as the course gives it: ours is drawn like it.",
+              for_view, set_name<&Options::reference>},
     OptionRow{"--mine",
               "",
               "PICTURE",
-              "Your picture of the scene: compare its value with ours, and find the mistake in our "
-              "terms that gives it.",
-              for_explain,
+              "Your picture of the scene: compare its values with ours or the reference, and find "
+              "the mistake in our terms that gives them.",
+              for_explain | for_view,
               set_name<&Options::mine>,
               "",
               {.path = false}},

@@ -258,6 +258,9 @@ std::string check_support(const Command& command, const Options& options) {
 
 // Checks of view that need more than one option.
 std::string check_window(const Options& options) {
+  if (options.arguments.size() > 1 && !options.mine.empty()) {
+    return "name both pictures by their roles: --reference A.png --mine B.png";
+  }
   return options.frames != 1 && options.screenshot.empty() ? "--frames requires --screenshot FILE"
                                                            : std::string();
 }

@@ -63,10 +63,21 @@ std::string missing(const Options& options) {
   if (scene != "-" && !stamp_of(scene).exists && !can_be_new) {
     return scene + ": there is no such file";
   }
-  if (options.arguments.size() > 1 && !stamp_of(options.arguments[1]).exists) {
-    return options.arguments[1] + ": there is no such file";
-  }
   return {};
+}
+
+// The pictures that are compared.
+std::vector<std::string> pictures_of(const Options& options) {
+  std::vector<std::string> pictures;
+  for (const std::string& path : {options.reference, options.mine}) {
+    if (!path.empty()) {
+      pictures.push_back(path);
+    }
+  }
+  if (options.arguments.size() > 1) {
+    pictures.push_back(options.arguments[1]);
+  }
+  return pictures;
 }
 
 viewer::ScriptStep& add_step(viewer::Script& script, viewer::StepKind kind) {
@@ -148,11 +159,19 @@ viewer::WindowOptions window_options(const Options& options, viewer::Script scri
   window.setup.read = {.compat_course = options.load.compat_course, .limits = options.load.limits};
   set_tracing(options, window.setup);
   window.setup.explain_pixel = explain_for_view;
-  window.setup.find_cause = cause_for_view;
+  window.setup.find_cause = [&options](const viewer::CauseQuestion& question,
+                                       const std::function<bool()>& go_on) {
+    return cause_for_view(question, options, go_on);
+  };
+  window.setup.fit_picture = [&options](const viewer::FitQuestion& question) {
+    return fit_for_view(question, options);
+  };
   window.setup.realtime = realtime_options(options);
   window.setup.layer = options.layer;
   window.scene = options.arguments.empty() ? "" : options.arguments.front();
-  window.reference = options.arguments.size() > 1 ? options.arguments[1] : "";
+  window.reference = options.reference;
+  window.mine = options.mine;
+  window.picture = options.arguments.size() > 1 ? options.arguments[1] : "";
   if (script.steps.empty()) {
     window.settings = viewer::settings_path(std::getenv("XDG_CONFIG_HOME"), std::getenv("HOME"));
     window.setup.recent_files =
@@ -196,17 +215,20 @@ ExitCode run_view(const Options& options, Context& context) {
     return refused.status;
   }
   const bool unattended = !script->steps.empty();
-  context.phase = "showing the window";
-  viewer::WindowOptions window = window_options(options, *std::move(script));
-  if (unattended && !window.reference.empty()) {
-    // Later, only the window would say so, and nobody looks at it.
-    const Result<DecodedPicture> reference =
-        load_picture_file(window.reference, options.layer, options.load.limits);
-    if (!reference) {
-      say_error(reference.error().text);
-      return exit_code(reference.error().kind);
+  for (const std::string& path : pictures_of(options)) {  // later, only the window would say so
+    if (!stamp_of(path).exists) {
+      say_error(path + ": there is no such file");
+      return ExitCode::environment;
+    }
+    const Result<DecodedPicture> picture =
+        unattended ? load_picture_file(path, options.layer, options.load.limits) : DecodedPicture();
+    if (!picture) {
+      say_error(picture.error().text);
+      return exit_code(picture.error().kind);
     }
   }
+  context.phase = "showing the window";
+  viewer::WindowOptions window = window_options(options, *std::move(script));
   bool opened = true;
   window.failed = [&](const viewer::WindowResult& result) {
     opened = false;

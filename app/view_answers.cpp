@@ -1,5 +1,6 @@
 #include "app/view_answers.h"
 
+#include "app/load_picture.h"
 #include "scenefile/verbs/compare_pictures.h"
 #include "scenefile/verbs/explain.h"
 #include "scenefile/verbs/render_error.h"
@@ -29,23 +30,54 @@ DrawnWay way_of(const viewer::CauseQuestion& question) {
   return {question.options, options_text(question.options)};
 }
 
-std::string cause_text(const viewer::CauseQuestion& question, const std::function<bool()>& go_on) {
+// The ways in which the picture may have been drawn. A mistake may look like a missing feature:
+// only a reference may lack features, or a picture in a folder of a project without them.
+std::vector<DrawnWay> ways_to_fit(const viewer::FitQuestion& question, const Options& options) {
+  const std::vector<DrawnWay> all = compare_settings(options).ways;
+  std::vector<DrawnWay> ways = folder_first(question.path, all);
+  if (question.is_reference || options.realtime) {
+    return ways;
+  }
+  return ways.front().words != all.front().words ? std::vector<DrawnWay>{ways.front()}
+                                                 : possible_ways(possible_profiles(options), true);
+}
+
+DrawnWay fitting_way(const viewer::FitQuestion& question, const LoadedScene& scene,
+                     const Options& options) {
+  const std::vector<DrawnWay> ways = ways_to_fit(question, options);
+  const bool known = ways.size() == 1 && !ways.front().realtime && !question.is_reference;
+  return known ? ways.front() : ways_drawn(question.picture->texture, scene, ways).front();
+}
+
+std::string cause_text(const viewer::CauseQuestion& question, const Options& options,
+                       const std::function<bool()>& go_on) {
   const LoadedScene scene = loaded_of(*question.scene);
-  Texture ours = question.ours != nullptr ? *question.ours : Texture();
-  if (!question.realtime) {
+  DecodedPicture reference;
+  DecodedPicture mine = *question.mine;
+  CompareSettings settings;
+  settings.ways = {way_of(question)};
+  if (question.reference != nullptr) {
+    reference = *question.reference;
+    if (!question.realtime) {
+      settings = compare_settings(options);
+      settings.ways = folder_first(question.reference_path, std::move(settings.ways));
+    }
+  } else if (question.realtime) {
+    reference.texture = *question.ours;
+  } else {
     const RenderResult result =
         render(scene.ready.scene, scene.assets, question.options,
                {.progress = [&](double) { return go_on(); }, .preview = {}});
     if (const std::optional<Error> error = render_error(result.status)) {
       return error->text + '\n';
     }
-    ours = quantize(result.image, rounding_of(question.options.profile));
+    reference.texture = quantize(result.image, rounding_of(question.options.profile));
   }
-  CompareSettings settings;
-  settings.ways = {way_of(question)};
+  settings.lossy = reference.jpeg || mine.jpeg;
+  round_alike(reference, mine);
   const PictureComparison found =
-      compare_pictures(ours, *question.other, &scene, settings, [&](double) { return go_on(); });
-  if (found.measures.same_size && found.measures.difference.max == 0) {
+      compare_pictures(reference, mine, &scene, settings, [&](double) { return go_on(); });
+  if (found.measures.same_size && !found.other_size() && found.measures.difference.max == 0) {
     return "equal\n";
   }
   return causes_text(found) + where_text(found, {}, {});  // a click explains a pixel
@@ -65,8 +97,8 @@ std::string explain_for_view(const viewer::PixelQuestion& question) {
     if (!report) {
       return report.error().text + '\n';
     }
-    if (question.other) {
-      add_yours(scene, *question.other, *report);
+    if (question.mine) {
+      add_yours(scene, *question.mine, *report);
     }
     return explain_text(scene, *report);
   } catch (const std::bad_alloc&) {
@@ -74,10 +106,23 @@ std::string explain_for_view(const viewer::PixelQuestion& question) {
   }
 }
 
-std::string cause_for_view(const viewer::CauseQuestion& question,
+std::optional<viewer::PictureFit> fit_for_view(const viewer::FitQuestion& question,
+                                               const Options& options) {
+  try {
+    const LoadedScene scene = loaded_of(*question.scene);
+    const DrawnWay way = fitting_way(question, scene, options);
+    return viewer::PictureFit{
+        way.options, way.realtime, way.words,
+        share_unlike(question.picture->texture, scene, way) <= max_share_same};
+  } catch (const std::bad_alloc&) {
+    return std::nullopt;
+  }
+}
+
+std::string cause_for_view(const viewer::CauseQuestion& question, const Options& options,
                            const std::function<bool()>& go_on) {
   try {
-    return cause_text(question, go_on);
+    return cause_text(question, options, go_on);
   } catch (const std::bad_alloc&) {
     return "there is not enough memory to look for the cause\n";
   }

@@ -81,7 +81,10 @@ const std::vector<Writer> writers{
      "--screenshot",
      {"view", "scene.xml", "a.png", "--script", "steps.txt", "--screenshot", "w.png"},
      "w.png"},
-    {"view", "--script", {"view", "scene.xml", "a.png", "--script", "steps.txt"}, "step.png"},
+    {"view",
+     "--script",
+     {"view", "scene.xml", "--reference", "a.png", "--mine", "b.png", "--script", "steps.txt"},
+     "step.png"},
 };
 
 std::vector<std::string> inputs_of(const Writer& writer) {
@@ -90,9 +93,11 @@ std::vector<std::string> inputs_of(const Writer& writer) {
     return files;
   };
   const Words& words = writer.words;
-  return writer.command == "frames"  ? with(scene_files, {"views.json"})
-         : writer.command == "diff"  ? with(scene_files, {"a.png", "b.png"})
-         : writer.command == "view"  ? with(scene_files, {"a.png", "steps.txt"})
+  return writer.command == "frames" ? with(scene_files, {"views.json"})
+         : writer.command == "diff" ? with(scene_files, {"a.png", "b.png"})
+         : writer.command == "view"
+             ? with(scene_files, words[2] == "a.png" ? Words{"a.png", "steps.txt"}
+                                                     : Words{"a.png", "b.png", "steps.txt"})
          : writer.command == "grade" ? class_files
          : words[1] == "model/box.obj"
              ? std::vector<std::string>{"model/box.obj", "model/box.mtl", "model/bricks.png"}

@@ -202,9 +202,9 @@ TEST_F(View, ComparesWithAReference) {
   ASSERT_EQ(run_program({"render", path, "--size", "320x240", "-o", reference, "--quiet"}).status,
             0);
   const ProgramRun run =
-      view({path, reference, "--trace", "--script",
-            folder.write("tour.txt", "settle\n" + shot("split.png") + "key M\nsettle\nframes 3\n" +
-                                         shot("difference.png"))});
+      view({path, reference, "--script",
+            folder.write("tour.txt", "settle\nframes 3\n" + shot("split.png") +
+                                         "key M\nsettle\nframes 3\n" + shot("difference.png"))});
   EXPECT_EQ(run.status, 0) << run.err;
   const Texture split = picture("split.png");
   EXPECT_GT(count(split, 255, 255, 255), 300) << "the line of the split";
@@ -212,6 +212,45 @@ TEST_F(View, ComparesWithAReference) {
   const Texture difference = picture("difference.png");
   EXPECT_EQ(color_at(split, sphere_x + 20, middle_y), 'r');
   EXPECT_EQ(color_at(difference, sphere_x + 20, middle_y), '.');
+}
+
+TEST_F(View, ReferenceAndMineAreComparedAsByDiff) {
+  const std::string reference = folder.path("reference.png");
+  const std::string mine = folder.path("mine.png");
+  const std::string dark =
+      folder.write("b.xml", replaced(scene, "r=\"0\" g=\"1\" b=\"0\"", "r=\"0\" g=\".5\" b=\"0\""));
+  for (const auto& [from, to] : {std::pair(path, reference), std::pair(dark, mine)}) {
+    ASSERT_EQ(run_program(
+                  {"render", from, "--size", "320x240", "-o", to, "--quiet", "--profile", "course"})
+                  .status,
+              0);
+  }
+  const ProgramRun run =
+      view({path, "--reference", reference, "--mine", mine, "--script",
+            folder.write("tour.txt",
+                         "settle\nkey Y\nframes 4\nclick 421 299\nsettle\nkey Ctrl+C\n"
+                         "frames 2\ncopied " +
+                             folder.path("copied.txt") +
+                             "\nkey Y\nkey Shift+X\n"
+                             "settle\nframes 3\n" +
+                             shot("side.png"))});
+  EXPECT_EQ(run.status, 0) << run.err;
+  const std::string copied = folder.read("copied.txt");
+  EXPECT_THAT(copied, HasSubstr("reference: reference.png has "));
+  EXPECT_THAT(copied, HasSubstr("mine: mine.png has "));
+  // Without a profile, both find out how the reference was drawn.
+  EXPECT_THAT(copied, HasSubstr("reference: as drawn with --profile course"));
+  const std::string said = run_program({"diff", reference, mine, "--scene", path}).out;
+  const std::size_t at = said.find("cause: ");
+  ASSERT_NE(at, std::string::npos) << said;
+  EXPECT_THAT(copied, HasSubstr(said.substr(at, said.find('\n', at) - at)));
+  // The cubes are green and half as green, one above the other.
+  const Texture side = picture("side.png");
+  const auto green = [&](int y) { return int(side.texel(620, y)[1]); };
+  EXPECT_NEAR(green(165), 2 * green(435), 6);
+  EXPECT_GT(green(435), 50);
+  EXPECT_EQ(view({path, mine, "--mine", mine}).status, 2);
+  EXPECT_THAT(view({path, "--mine", folder.path("none.png")}).err, HasSubstr("no such file"));
 }
 
 TEST_F(View, TheWindowIsCompleteWhileOpenGlIsCompared) {

@@ -34,7 +34,7 @@ struct PixelTest : ::testing::Test {
       const glm::dvec3 eye = question.drawn.camera.position;
       return fmt::format("terms of {},{} from z {:.3f}, {} lights, beside {}{}", question.pixel.x,
                          question.pixel.y, eye.z, question.drawn.lights.size(),
-                         question.other ? int((*question.other)[0]) : -1,
+                         question.mine ? int((*question.mine)[0]) : -1,
                          question.realtime ? fmt::format(", parameter 1 is {}",
                                                          question.realtime->tessellation.parameter1)
                                            : "");
@@ -65,13 +65,17 @@ struct PixelTest : ::testing::Test {
   void compare_with_gray() {
     Image gray(80, 60);
     std::fill(gray.rgb.begin(), gray.rgb.end(), 0.5F);
-    open_reference(session, folder.write("gray.png", *encode_image(gray, ImageFormat::png8,
-                                                                   Rounding::nearest)));
+    open_picture(session, folder.write("gray.png",
+                                       *encode_image(gray, ImageFormat::png8, Rounding::nearest)));
     while (session.reading.busy()) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
       tick(session, time);
     }
-    ASSERT_FALSE(session.reference->empty());
+    ASSERT_TRUE(session.mine.exists());
+  }
+
+  std::optional<PixelValue> mine_read() const {
+    return session.readout.values[static_cast<std::size_t>(Role::mine)];
   }
 
   TempFolder folder;
@@ -112,18 +116,18 @@ TEST_F(PixelTest, PlainClicksExplainOnlyWhileThePanelIsOpen) {
 TEST_F(PixelTest, PicturesOfDifferentCamerasAreNotCompared) {
   compare_with_gray();
   click(140, 150);
-  EXPECT_EQ(session.readout.other, (PixelValue{128, 128, 128}));
-  pass(0.5);
-  EXPECT_TRUE(wants_picture(session));
+  EXPECT_EQ(mine_read(), (PixelValue{128, 128, 128}));
+  settle();
+  EXPECT_TRUE(session.compare_started);
   wheel_turned(session, 3);
   settle();
-  EXPECT_FALSE(wants_picture(session));
-  EXPECT_FALSE(session.readout.other.has_value());
+  EXPECT_FALSE(session.compare_started);
+  EXPECT_FALSE(mine_read().has_value());
   EXPECT_THAT(session.readout.terms, HasSubstr("beside -1"));
   perform(session, Action::scene_camera);
-  pass(0.5);
-  EXPECT_TRUE(wants_picture(session));
-  EXPECT_EQ(session.readout.other, (PixelValue{128, 128, 128}));
+  settle();
+  EXPECT_TRUE(session.compare_started);
+  EXPECT_EQ(mine_read(), (PixelValue{128, 128, 128}));
 }
 
 TEST_F(PixelTest, FollowsTheCameraAndHiddenObjects) {
@@ -138,7 +142,7 @@ TEST_F(PixelTest, FollowsTheCameraAndHiddenObjects) {
   EXPECT_THAT(session.readout.terms, HasSubstr("1 lights"));
 }
 
-TEST_F(PixelTest, TheReferenceGivesItsValueAndTheCause) {
+TEST_F(PixelTest, MineGivesItsValueAndTheCause) {
   compare_with_gray();
   session.compare = CompareView::off;
   click(200, 150);
@@ -168,8 +172,7 @@ TEST_F(PixelTest, RealtimeComparesTheDrawnPicture) {
   perform(session, Action::split);
   pass(0.5);
   ASSERT_TRUE(wants_picture(session));
-  Texture ours = *session.reference;
-  compare_with(session, std::move(ours));
+  compare_ours(session, session.mine.decoded->texture);
   settle();
   EXPECT_EQ(session.cause.text, "cause at 80x60 realtime");
 }

@@ -295,8 +295,8 @@ TEST_F(SessionTest, ComparesTheTracedPicture) {
   drop(session, {reference});
   settle_files();
   EXPECT_EQ(session.compare, CompareView::split);
-  EXPECT_NEAR(picture_aspect(session, {400, 400}), 4.0 / 3, 1e-12);
-  perform(session, Action::trace);
+  place_pictures(session, {{0, 0}, {400, 400}});
+  EXPECT_EQ(session.picture.size, glm::dvec2(400, 300));
   settle();
   ASSERT_TRUE(session.comparison.has_value());
   EXPECT_TRUE(session.comparison->measures.same_size);
@@ -306,24 +306,118 @@ TEST_F(SessionTest, ComparesTheTracedPicture) {
   // Someone replaces the reference.
   write_picture("right.png", 30, 20);
   settle();
-  EXPECT_EQ(session.reference->width, 30);
+  EXPECT_EQ(session.mine.decoded->texture.width, 30);
   EXPECT_EQ(session.comparison->difference.width, 30);
 }
 
 TEST_F(SessionTest, ComparesTheOpenGlPicture) {
-  open_reference(session, write_picture("right.png", 16, 16));
+  open_picture(session, write_picture("right.png", 16, 16));
+  perform(session, Action::realtime);
   settle_files();
   pass(1);
   ASSERT_TRUE(wants_picture(session));
-  compare_with(session, quantize(Image(16, 16), Rounding::nearest));
+  compare_ours(session, quantize(Image(16, 16), Rounding::nearest));
   EXPECT_FALSE(wants_picture(session));
   settle();
   EXPECT_EQ(session.comparison->measures.difference.psnr_db, 99);
 }
 
+// Says that pictures 32 pixels wide are drawn as the course does, and equal ours.
+void fit_by_width(Session& session, int& fits) {
+  session.setup.fit_picture = [&fits](const FitQuestion& question) {
+    ++fits;
+    PictureFit fit;
+    fit.options = default_options(Profile::course);
+    fit.words = question.is_reference ? "its way" : "some way";
+    fit.equal = question.picture->texture.width == 32;
+    return fit;
+  };
+}
+
+TEST_F(SessionTest, APictureThatEqualsOursIsTheReference) {
+  int fits = 0;
+  fit_by_width(session, fits);
+  open_picture(session, write_picture("a.png", 32, 24));
+  settle();
+  EXPECT_TRUE(session.reference.exists());
+  EXPECT_FALSE(session.mine.exists());
+  EXPECT_EQ(session.setup.trace.profile, Profile::course);
+  EXPECT_THAT(session.notice->text, HasSubstr("a.png equals our picture: it is the reference"));
+  EXPECT_EQ(sides_of(session), (Sides{Role::ours, Role::reference}));
+  EXPECT_EQ(fits, 1);
+  // There is a reference now: the next one is mine.
+  open_picture(session, write_picture("b.png", 32, 24));
+  settle();
+  EXPECT_EQ(session.mine.path, folder.path("b.png"));
+  EXPECT_EQ(fits, 1) << "the reference says how ours is drawn";
+  EXPECT_EQ(sides_of(session), (Sides{Role::reference, Role::mine}));
+  EXPECT_EQ(session.comparison->measures.difference.psnr_db, 99);
+  perform(session, Action::next_sides);
+  EXPECT_EQ(sides_of(session), (Sides{Role::ours, Role::mine}));
+  settle();
+  EXPECT_LT(session.comparison->measures.difference.psnr_db, 40);
+}
+
+TEST_F(SessionTest, APictureThatDiffersFromOursIsMine) {
+  int fits = 0;
+  fit_by_width(session, fits);
+  open_picture(session, write_picture("a.png", 40, 30));
+  settle();
+  EXPECT_TRUE(session.mine.exists());
+  EXPECT_FALSE(session.reference.exists());
+  EXPECT_THAT(session.notice->text, HasSubstr("it is mine; ours is drawn with some way"));
+  // The user knows better.
+  perform(session, Action::exchange_roles);
+  settle();
+  EXPECT_TRUE(session.reference.exists());
+  EXPECT_FALSE(session.mine.exists());
+  EXPECT_EQ(fits, 2);
+  EXPECT_THAT(session.notice->text, HasSubstr("the reference, differs from our picture"));
+}
+
+TEST_F(SessionTest, MineOfAnotherSizeIsComparedWithOurs) {
+  open_picture(session, write_picture("a.png", 32, 24), Role::reference);
+  open_picture(session, write_picture("b.png", 40, 30), Role::mine);
+  settle();
+  EXPECT_EQ(sides_of(session), (Sides{Role::ours, Role::mine}));
+  EXPECT_EQ(picture_size(session), glm::ivec2(40, 30));
+  EXPECT_EQ(trace_options(session).width, 40);
+  EXPECT_TRUE(session.comparison->measures.same_size);
+}
+
+TEST_F(SessionTest, PicturesAreShownInSeveralWays) {
+  open_picture(session, write_picture("a.png", 40, 30));
+  settle();
+  EXPECT_EQ(role_in_front(session), Role::ours);
+  perform(session, Action::other);
+  EXPECT_EQ(role_in_front(session), Role::mine);
+  perform(session, Action::flicker);
+  std::set<Role> seen;
+  for (int i = 0; i < 10; ++i) {
+    pass(0.2);
+    seen.insert(role_in_front(session));
+  }
+  EXPECT_EQ(seen, (std::set<Role>{Role::ours, Role::mine}));
+  perform(session, Action::side_by_side);
+  place_pictures(session, {{0, 0}, {804, 300}});
+  EXPECT_EQ(session.picture.at, glm::dvec2(0, 0));
+  EXPECT_EQ(session.beside.at, glm::dvec2(404, 0));
+  EXPECT_EQ(session.beside.size, session.picture.size);
+  place_pictures(session, {{0, 0}, {400, 604}});
+  EXPECT_EQ(session.beside.at, glm::dvec2(0, 304)) << "one above the other is larger";
+  click(140, 150);
+  const std::string ours = selected();
+  EXPECT_NE(ours, "");
+  select(session, std::nullopt);
+  click(140, 304 + 150);
+  EXPECT_EQ(selected(), ours) << "the same place of the other picture";
+  perform(session, Action::side_by_side);
+  EXPECT_EQ(session.compare, CompareView::off);
+}
+
 TEST_F(SessionTest, TheSplitIsDragged) {
-  open_reference(session, write_picture("right.png", 40, 30));
-  EXPECT_TRUE(session.reference->empty()) << "read on another thread";
+  open_picture(session, write_picture("right.png", 40, 30));
+  EXPECT_FALSE(session.mine.exists()) << "read on another thread";
   settle_files();
   pointer_moved(session, {200, 100});
   pointer_pressed(session, 0, {});
@@ -346,7 +440,7 @@ TEST_F(SessionTest, PicturesAndFoldersAreDropped) {
   perform(session, Action::next_scene);
   settle();
   EXPECT_EQ(scene_name(session), "b2.xml");
-  open_reference(session, folder.path("more/b2.xml"));
+  open_picture(session, folder.path("more/b2.xml"));
   settle();
   ASSERT_TRUE(session.notice.has_value());
   EXPECT_TRUE(session.notice->bad);
@@ -359,8 +453,8 @@ TEST_F(SessionTest, DroppedPicturesAreReadInOrder) {
   const std::string scene_without_ending = folder.write("scene", testing::scene_text);
   drop(session, {first, scene_without_ending, second, damaged});
   settle_files();
-  EXPECT_EQ(session.reference->width, 20);
-  EXPECT_EQ(session.reference_path, second);
+  EXPECT_EQ(session.mine.decoded->texture.width, 20);
+  EXPECT_EQ(session.mine.path, second);
   EXPECT_EQ(scene_name(session), "scene");
   ASSERT_TRUE(session.notice.has_value());
   EXPECT_THAT(session.notice->text, HasSubstr("damaged.png"));
@@ -369,16 +463,16 @@ TEST_F(SessionTest, DroppedPicturesAreReadInOrder) {
 
 TEST_F(SessionTest, AReferenceThatIsBeingWrittenKeepsItsOldPicture) {
   const std::string reference = write_picture("right.png", 16, 12);
-  open_reference(session, reference);
+  open_picture(session, reference, Role::reference);
   settle_files();
   session.notice.reset();
   folder.write("right.png", "\x89PNG\r\n\x1a\n");
   settle_files();
-  EXPECT_EQ(session.reference->width, 16);
+  EXPECT_EQ(session.reference.decoded->texture.width, 16);
   EXPECT_FALSE(session.notice.has_value());
   write_picture("right.png", 24, 18);
   settle_files();
-  EXPECT_EQ(session.reference->width, 24);
+  EXPECT_EQ(session.reference.decoded->texture.width, 24);
 }
 
 TEST_F(SessionTest, CanBeDestroyedAtAnyTime) {
@@ -390,7 +484,7 @@ TEST_F(SessionTest, CanBeDestroyedAtAnyTime) {
     other.picture = session.picture;
     other.pixels = {200, 150};
     open_scene(other, path);
-    open_reference(other, reference);
+    open_picture(other, reference, Role::reference);
     for (int step = 0; step < i; ++step) {
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
       tick(other, 0.3 * step);
@@ -398,7 +492,7 @@ TEST_F(SessionTest, CanBeDestroyedAtAnyTime) {
         perform(other, Action::reload);
       }
       if (wants_picture(other)) {
-        compare_with(other, quantize(Image(32, 24), Rounding::nearest));
+        compare_ours(other, quantize(Image(32, 24), Rounding::nearest));
       }
     }
   }

@@ -161,7 +161,7 @@ TEST_F(StartPanelTest, APictureBecomesTheReference) {
   open_start_panel(session);
   choose(session, picture);
   settle();
-  EXPECT_EQ(session.reference->width, 8);
+  EXPECT_EQ(session.mine.decoded->texture.width, 8);
 }
 
 TEST_F(StartPanelTest, Thumbnails) {

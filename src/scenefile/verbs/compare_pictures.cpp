@@ -111,18 +111,8 @@ bool explained_by_one(const CauseReport& report) {
   const auto explains = [](const std::vector<Claim>& claims) {
     return claims.size() == 1 && claims.front().explained > 0.95;
   };
-  return report.share_different < 0.001 || explains(report.claims) ||
+  return report.share_different < max_share_same || explains(report.claims) ||
          (report.claims.empty() && explains(report.notes));
-}
-
-// The share of the reference's pixels that differ from our picture drawn this way.
-double share_unlike(const Texture& reference, const LoadedScene& scene, const DrawnWay& way) {
-  if (way.realtime) {
-    return find_realtime_causes(reference, reference, realtime_view_of(scene, way))
-        .share_scene_unlike;
-  }
-  const SceneView view = view_of(scene, way);
-  return find_causes(reference, reference, &view).share_scene_unlike;
 }
 
 std::vector<DrawnWay> ways_of(const Texture& reference, const LoadedScene& scene,
@@ -254,17 +244,16 @@ bool differ_by_compression(const Texture& reference, const Texture& test) {
 }
 
 bool explains_nothing(const CauseReport& report) {
-  return report.share_scene_unlike <= max_share_unlike && report.share_different >= 0.001 &&
-         report.claims.empty() && report.notes.empty();
+  return report.share_scene_unlike <= max_share_unlike &&
+         report.share_different >= max_share_same && report.claims.empty() && report.notes.empty();
 }
 
 // Whether the pictures were probably given in the wrong order: `test` is right, and a mistake
 // explains the reference.
 bool probably_exchanged(const Texture& reference, const Texture& test, const LoadedScene& scene,
                         const CompareSettings& settings, const std::function<bool(double)>& go_on) {
-  constexpr double max_share_off = 0.001;
   const DrawnWay way = ways_of(test, scene, settings).front();
-  if (way.realtime || share_unlike(test, scene, way) > max_share_off) {
+  if (way.realtime || share_unlike(test, scene, way) > max_share_same) {
     return false;
   }
   const SceneView view = view_of(scene, way);
@@ -593,6 +582,14 @@ std::vector<DrawnWay> possible_ways(std::span<const RenderOptions> profiles, boo
   return ways;
 }
 
+double share_unlike(const Texture& picture, const LoadedScene& scene, const DrawnWay& way) {
+  if (way.realtime) {
+    return find_realtime_causes(picture, picture, realtime_view_of(scene, way)).share_scene_unlike;
+  }
+  const SceneView view = view_of(scene, way);
+  return find_causes(picture, picture, &view).share_scene_unlike;
+}
+
 std::vector<DrawnWay> folder_first(std::string_view reference, std::vector<DrawnWay> ways) {
   struct Folder {
     std::string_view word;
@@ -751,7 +748,7 @@ PictureComparison compare(const Texture& given, const Texture& test, const Image
     }
     if (found.other_size() && found.causes.claims.empty()) {
       found.right_at_other_size =
-          found.causes.share_different < 0.001 || !found.causes.notes.empty();
+          found.causes.share_different < max_share_same || !found.causes.notes.empty();
     }
   }
   return found;
@@ -822,7 +819,7 @@ std::string causes_text(const PictureComparison& found) {
   } else if (report.claims.empty() && found.measures.same_size && found.scene_fits()) {
     text += !report.notes.empty()
                 ? "cause: none; the pictures only differ in that, at edges and by rounding\n"
-            : report.share_different < 0.001
+            : report.share_different < max_share_same
                 ? "cause: none; the pictures only differ at edges and by rounding\n"
             : found.other_outlines
                 ? "cause: no known mistake explains the difference, and few edges match: is this a "

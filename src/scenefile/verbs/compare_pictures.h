@@ -67,6 +67,12 @@ DrawnWay realtime_way(const RealtimeOptions& panel, const RealtimeUnknowns& unkn
 std::vector<DrawnWay> ways_drawn(const Texture& reference, const LoadedScene& scene,
                                  const std::vector<DrawnWay>& ways);
 
+/// The share of the picture's pixels that differ from our picture drawn this way, except at edges
+/// and by rounding.
+double share_unlike(const Texture& picture, const LoadedScene& scene, const DrawnWay& way);
+/// If at most this share differs, pictures are the same.
+inline constexpr double max_share_same = 0.001;
+
 /// Where two pictures differ most, and what the scene shows there.
 struct PlaceToLook {
   WorstRegion region;

@@ -30,14 +30,14 @@ PaintJob job_of(const Session& session, PaintRecipe recipe, bool refines) {
           refines};
 }
 
-// Of the picture that is compared with the reference.
-PaintRecipe recipe_beside(const Session& session) {
+// Of the picture that is compared with one from a file.
+PaintRecipe recipe_to_compare(const Session& session) {
   DrawOptions options = draw_options(session);
   if (!options.course) {
     options.samples = 16;
   }
-  return {session.version,          render_camera(session.camera), std::move(options),
-          session.reference->width, session.reference->height,     0};
+  const glm::ivec2 size = picture_size(session);
+  return {session.version, render_camera(session.camera), std::move(options), size.x, size.y, 0};
 }
 
 }  // namespace
@@ -133,7 +133,8 @@ void Canvas::accept(Session& session, Painted painted) {
   }
   if (recipe.version == session.version) {
     session.drawing_notes = painted.notes;
-    drawn_.show(painted.picture, ++painted_count_);
+    session.drawn = std::exchange(painted.picture, {});
+    drawn_.show(session.drawn, ++painted_count_);
   }
   painted.picture = {};
   painted_ = std::move(painted);
@@ -144,7 +145,11 @@ bool Canvas::update(Session& session, bool whole) {
   // One after another, so that a frame stays short.
   bool done = !session.traced || traced_.show(session.traced->picture, session.traced_version,
                                               whole ? texels : 4 * texels);
-  done = done && reference_.show(*session.reference, session.reference_version, texels);
+  for (const auto& [shown, picture] :
+       {std::pair(&reference_, &session.reference), {&mine_, &session.mine}}) {
+    done = done &&
+           (!picture->exists() || shown->show(picture->decoded->texture, picture->version, texels));
+  }
   update_thumbnails(session.thumbnails);
   if (session.comparison) {
     const Comparison& found = *session.comparison;
@@ -168,21 +173,21 @@ unsigned Canvas::thumbnail(const std::string& path) const {
   return found == thumbnails_.end() ? 0 : found->second.name();
 }
 
-void Canvas::ask_for_reference(const Session& session) {
-  PaintRecipe recipe = recipe_beside(session);
-  if (reference_asked_ != recipe) {
+void Canvas::ask_to_compare(const Session& session) {
+  PaintRecipe recipe = recipe_to_compare(session);
+  if (compared_asked_ != recipe) {
     painter_->ask_other(job_of(session, recipe, true));
-    reference_asked_ = std::move(recipe);
+    compared_asked_ = std::move(recipe);
   }
 }
 
-std::optional<Texture> Canvas::take_for_reference(const Session& session) {
+std::optional<Texture> Canvas::take_to_compare(const Session& session) {
   std::optional<Painted> painted = painter_->take_other();
   if (!painted) {
     return std::nullopt;
   }
-  reference_asked_.reset();
-  const bool wanted = session.shown != nullptr && painted->recipe == recipe_beside(session);
+  compared_asked_.reset();
+  const bool wanted = session.shown != nullptr && painted->recipe == recipe_to_compare(session);
   return wanted ? std::optional(std::move(painted->picture)) : std::nullopt;
 }
 

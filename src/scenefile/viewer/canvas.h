@@ -1,6 +1,6 @@
 #pragma once
-// The pictures in the window: from OpenGL, from the ray tracer, the reference, and their
-// differences. Internal to viewer; needs the window's context.
+// The pictures in the window: from OpenGL, from the ray tracer, from files, and their differences.
+// Internal to viewer; needs the window's context.
 
 #include "scenefile/viewer/gl_picture.h"
 #include "scenefile/viewer/scene_painter.h"
@@ -38,14 +38,15 @@ class Canvas {
   /// Whether a picture is being drawn.
   bool busy() const { return painter_->busy(); }
 
-  /// The OpenGL picture at the size of the reference: asked for, and taken once it is drawn. Empty
-  /// if it is too large.
-  void ask_for_reference(const Session& session);
-  std::optional<Texture> take_for_reference(const Session& session);
+  /// The OpenGL picture at the size of the picture from a file: asked for, and taken once it is
+  /// drawn. Empty if it is too large.
+  void ask_to_compare(const Session& session);
+  std::optional<Texture> take_to_compare(const Session& session);
 
   const GlPicture& drawn() const { return drawn_; }
   const GlPicture& traced() const { return traced_; }
   const GlPicture& reference() const { return reference_; }
+  const GlPicture& mine() const { return mine_; }
   const GlPicture& difference() const { return difference_; }
   const GlPicture& flip() const { return flip_; }
   /// The name of a thumbnail's texture; 0: there is none.
@@ -65,15 +66,16 @@ class Canvas {
   void accept(Session& session, Painted painted);
 
   std::unique_ptr<ScenePainter> painter_;
-  std::optional<PaintRecipe> asked_;            ///< last
-  Painted painted_;                             ///< last, without its picture
-  int moving_hurry_ = 0;                        ///< for pictures while the camera moves
-  std::uint64_t painted_count_ = 0;             ///< how many pictures were painted
-  std::uint64_t shadowed_ = 0;                  ///< version of the scene last drawn with shadows
-  std::optional<PaintRecipe> reference_asked_;  ///< by ask_for_reference()
+  std::optional<PaintRecipe> asked_;           ///< last
+  Painted painted_;                            ///< last, without its picture
+  int moving_hurry_ = 0;                       ///< for pictures while the camera moves
+  std::uint64_t painted_count_ = 0;            ///< how many pictures were painted
+  std::uint64_t shadowed_ = 0;                 ///< version of the scene last drawn with shadows
+  std::optional<PaintRecipe> compared_asked_;  ///< by ask_to_compare()
   GlPicture drawn_;
   GlPicture traced_;
   GlPicture reference_;
+  GlPicture mine_;
   GlPicture difference_;
   GlPicture flip_;
   std::map<std::string, GlPicture> thumbnails_;

@@ -4,24 +4,29 @@
 
 #include <fmt/format.h>
 
-#include <vector>
+#include <array>
 
 namespace scenefile::viewer {
 
-Comparison compare_pictures(const Texture& reference, const Texture& ours) {
+std::string_view role_word(Role role) {
+  static constexpr std::array<std::string_view, 3> words{"ours", "reference", "mine"};
+  return words[static_cast<std::size_t>(role)];
+}
+
+Comparison compare_pictures(const Sides& sides, const Texture& left, const Texture& right) {
   Comparison comparison;
-  std::vector<float> errors;
-  comparison.measures = measure(reference, ours, 8, &errors);
-  comparison.difference = heat_map(reference, ours);
-  comparison.flip = flip_picture(errors, reference.width, reference.height);
+  comparison.sides = sides;
+  // As diff: the reference comes first.
+  const bool exchanged = sides.right == Role::reference;
+  const Texture& reference = exchanged ? right : left;
+  const Texture& other = exchanged ? left : right;
+  comparison.measures = measure(reference, other, 8, &comparison.flip_errors);
+  comparison.difference = heat_map(reference, other);
+  comparison.flip = flip_picture(comparison.flip_errors, reference.width, reference.height);
   return comparison;
 }
 
 std::string measures_text(const PictureMeasures& measures) {
-  if (!measures.same_size) {
-    return fmt::format("{}x{}, and the reference {}x{}", measures.size.x, measures.size.y,
-                       measures.right_size.x, measures.right_size.y);
-  }
   const ImageDifference& d = measures.difference;
   return fmt::format(
       "PSNR {:.2f} dB   SSIM {:.4f}   FLIP {:.4f}   max {}/255   {:.2f} % off by more than 8",

@@ -68,6 +68,20 @@ void draw_as(Session& session, DrawnAs drawn) {
   }
 }
 
+void draw_like(Session& session, const PictureFit& fit) {
+  session.realtime = fit.realtime.has_value();
+  if (fit.realtime) {
+    session.realtime_panel = *fit.realtime;
+  } else {
+    const int threads = session.setup.trace.threads;
+    session.setup.trace = fit.options;
+    session.setup.trace.threads = threads;
+    set_features(session, fit.options.features);
+    ++session.version;  // uploading depends on the profile
+  }
+  drawing_changed(session);
+}
+
 bool has_feature(const Session& session, std::string_view word) {
   Features features = effective(session);
   const bool* const feature = find_feature(features, word);

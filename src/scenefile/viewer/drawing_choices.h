@@ -17,6 +17,9 @@ DrawnAs drawn_as(const Session& session);
 /// Also sets the features and the depth of the profile.
 void draw_as(Session& session, DrawnAs drawn);
 
+/// As a picture from a file was drawn.
+void draw_like(Session& session, const PictureFit& fit);
+
 /// By its name (trace/features.h). Shadows and textures are also off if their keys switched them
 /// off.
 bool has_feature(const Session& session, std::string_view word);

@@ -124,11 +124,7 @@ void build_gui(Session& session, const GuiFrame& frame, const glm::dvec2& window
     }
   }
   room.size = glm::max(room.size, glm::dvec2(1));
-  const Box before = session.picture;
-  session.picture = picture_box(session, room);
-  if (before.size != session.picture.size) {
-    picture_changed(session);
-  }
+  place_pictures(session, room);
   build_overlay(session, frame);
   if (session.start.open) {
     build_start(session, frame, room);

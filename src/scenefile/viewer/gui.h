@@ -26,6 +26,7 @@ struct GuiFrame {
   unsigned scene = 0;
   unsigned traced = 0;
   unsigned reference = 0;
+  unsigned mine = 0;
   unsigned difference = 0;
   unsigned flip = 0;
   /// Of the thumbnail of a file.
@@ -56,6 +57,11 @@ void build_status(const Session& session, const GuiFrame& frame);
 void build_overlay(Session& session, const GuiFrame& frame);
 void build_realtime_panel(Session& session, const GuiFrame& frame);
 void build_readout(Session& session);
+/// The values of the pixels, where these are large enough.
+void paint_values(const Session& session, const GuiFrame& frame);
+void paint_magnifier(const Session& session, const GuiFrame& frame);
+/// The texture of a picture; 0: none.
+unsigned texture_of(const Session& session, const GuiFrame& frame, Role role);
 void paint_mark(const Session& session, const GuiFrame& frame);
 void build_palette(Session& session, const GuiFrame& frame);
 void build_help(const GuiFrame& frame);

@@ -5,12 +5,17 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace scenefile::viewer {
 
 namespace {
+
+constexpr std::string_view gesture_group = "Mouse and flying";
 
 void key_cap(const std::string& key) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -44,6 +49,11 @@ class KeyList {
   }
   void group(std::string_view name) const {
     heading(name);
+    if (name == gesture_group) {
+      for (const GestureRow& row : gestures()) {
+        line(row.gesture, row.what);
+      }
+    }
     for (const ActionRow& row : actions()) {
       if (row.group == name) {
         line(row.key, row.what);
@@ -56,22 +66,21 @@ class KeyList {
   float keys_;
 };
 
-void build_first() {
-  const KeyList list(12.5F);
-  list.heading("Mouse and flying");
-  for (const GestureRow& row : gestures()) {
-    list.line(row.gesture, row.what);
-  }
-  list.group("Camera");
-  list.group("Scene");
-  list.group("Picture");
-}
+struct KeyGroup {
+  std::string_view name;
+  float rows = 0;  ///< with its heading
+};
 
-void build_second() {
-  const KeyList list(7.5F);
-  list.group("Edit");
-  list.group("Show");
-  list.group("Window");
+std::vector<KeyGroup> key_groups() {
+  constexpr float heading = 1.5F;
+  std::vector<KeyGroup> groups{{gesture_group, heading + static_cast<float>(gestures().size())}};
+  for (const ActionRow& row : actions()) {
+    if (row.group != groups.back().name) {
+      groups.push_back({row.group, heading});
+    }
+    ++groups.back().rows;
+  }
+  return groups;
 }
 
 }  // namespace
@@ -86,19 +95,40 @@ void build_help(const GuiFrame& frame) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::SetNextWindowSizeConstraints({0, 0}, window);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
-                      {static_cast<float>(8 * frame.scale), static_cast<float>(6 * frame.scale)});
+                      {static_cast<float>(8 * frame.scale), static_cast<float>(4 * frame.scale)});
   ImGui::Begin("##help", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_HorizontalScrollbar);
-  const float top = ImGui::GetCursorPosY();
-  const float left = ImGui::GetCursorPosX();
-  build_first();
-  const float second = left + 34 * ImGui::GetFontSize();
-  if (window.x >= second + 26 * ImGui::GetFontSize()) {
-    ImGui::SetCursorPos({second, top});
+  // Columns of about the same height, as many as fit; in text heights.
+  constexpr float first_keys = 10.8F;
+  constexpr float keys = 7.5F;
+  constexpr float words = 16.6F;
+  const float one = ImGui::GetFontSize();
+  const float room = window.x / one - (first_keys - keys) - 3;
+  const auto columns = std::clamp(std::floor(room / (keys + words)), 1.0F, 3.0F);
+  const std::vector<KeyGroup> groups = key_groups();
+  float all = 0;
+  for (const KeyGroup& group : groups) {
+    all += group.rows;
   }
-  build_second();
+  const float top = ImGui::GetCursorPosY();
+  float left = ImGui::GetCursorPosX();
+  float width = first_keys;
+  float rows = 0;
+  for (const KeyGroup& group : groups) {
+    if (rows > 0 && rows + group.rows / 2 > all / columns) {
+      left += (width + words) * one;
+      width = keys;
+      rows = 0;
+    }
+    if (rows == 0) {
+      ImGui::SetCursorPosY(top);
+    }
+    ImGui::SetCursorPosX(left);
+    KeyList(width).group(group.name);
+    rows += group.rows;
+  }
   ImGui::End();
   ImGui::PopStyleVar(4);
 }

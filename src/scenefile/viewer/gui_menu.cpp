@@ -32,10 +32,18 @@ bool is_on(const Session& session, Action action) {
       return session.only_light.has_value();
     case Action::trace:
       return session.settings.ray_tracing;
+    case Action::side_by_side:
     case Action::split:
-      return session.compare == CompareView::split;
+    case Action::flicker:
+    case Action::other:
     case Action::difference:
-      return session.compare >= CompareView::reference;
+    case Action::flip:
+      return static_cast<int>(session.compare) ==
+             static_cast<int>(action) - static_cast<int>(Action::side_by_side) + 1;
+    case Action::magnifier:
+      return session.magnifier;
+    case Action::linear_values:
+      return session.settings.linear_values;
     case Action::explain:
       return session.explaining;
     case Action::outline:
@@ -59,10 +67,16 @@ bool is_on(const Session& session, Action action) {
 
 bool is_possible(const Session& session, Action action) {
   switch (action) {
+    case Action::side_by_side:
     case Action::split:
+    case Action::flicker:
+    case Action::other:
     case Action::difference:
     case Action::flip:
-      return !session.reference->empty();
+    case Action::exchange_roles:
+      return sides_of(session) != Sides();
+    case Action::next_sides:
+      return possible_sides(session).size() > 1;
     case Action::hide_selected:
     case Action::duplicate:
     case Action::remove:
@@ -133,7 +147,7 @@ std::string tracing_text(const Session& session) {
   if (traces_paths(session)) {
     return paths_text(session);
   }
-  if (session.realtime || !session.settings.ray_tracing || session.mode != DrawMode::shaded) {
+  if (!wants_trace(session)) {
     return "OpenGL";
   }
   if (!session.traced) {
@@ -176,7 +190,12 @@ void build_status(const Session& session, const GuiFrame& frame) {
   const glm::dvec3& p = session.camera.position;
   std::string text = fmt::format("{}   {}   camera {:.4g} {:.4g} {:.4g}", mode_text(session),
                                  tracing_text(session), p.x, p.y, p.z);
-  if (session.comparing.busy()) {
+  if (session.zoom > 1) {
+    text += fmt::format("   zoom {:.0f} % (0: all)", 100 * session.zoom);
+  }
+  if (session.fitting.busy()) {
+    text += "   looking how the picture was drawn";
+  } else if (session.comparing.busy()) {
     text += "   comparing";
   }
   const std::string hint = fmt::format("{}F1 help", session.loading.busy() ? "reading   " : "");

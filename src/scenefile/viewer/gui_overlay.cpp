@@ -21,16 +21,18 @@ ImTextureID texture(unsigned name) {
   return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(name));
 }
 
-// Draws the part of a picture between two fractions of its width, at the position of the session's
-// picture.
-void paint_picture(const Box& box, unsigned name, double from, double to) {
+// Draws the visible part of a picture, between two fractions of the width of its place.
+void paint_picture(const Session& session, const Box& view, unsigned name, double from = 0,
+                   double to = 1) {
   if (name == 0 || to <= from) {
     return;
   }
-  const glm::dvec2 begin{box.at.x + from * box.size.x, box.at.y};
-  const glm::dvec2 end{box.at.x + to * box.size.x, box.at.y + box.size.y};
-  ImGui::GetBackgroundDrawList()->AddImage(texture(name), vec(begin), vec(end), vec({from, 0}),
-                                           vec({to, 1}));
+  const Box whole = whole_picture(session, view);
+  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+  draw.PushClipRect(vec({view.at.x + from * view.size.x, view.at.y}),
+                    vec({view.at.x + to * view.size.x, view.at.y + view.size.y}));
+  draw.AddImage(texture(name), vec(whole.at), vec(whole.at + whole.size));
+  draw.PopClipRect();
 }
 
 // Text on a dark background, wrapped to lines of at most `room`; `anchor` is the position of the
@@ -48,31 +50,32 @@ void paint_label(const glm::dvec2& at, const std::string& text, const glm::dvec2
   draw.AddText(nullptr, 0, vec(begin + padding), rgba(color), text.c_str(), nullptr, wrap);
 }
 
+// Text at the bottom of all pictures. `above`: so many lines above the lowest one.
+void paint_bottom_label(const Session& session, const GuiFrame& frame, const std::string& text,
+                        unsigned color, double above = 0) {
+  const glm::dvec2 begin = glm::min(session.picture.at, session.beside.at);
+  const glm::dvec2 end =
+      glm::max(session.picture.at + session.picture.size, session.beside.at + session.beside.size);
+  const double up = 12 * frame.scale + above * ImGui::GetTextLineHeight();
+  paint_label({(begin.x + end.x) / 2, end.y - up}, text, {0.5, 1}, frame.scale, color,
+              end.x - begin.x);
+}
+
 void paint_pictures(const Session& session, const GuiFrame& frame) {
   const Box& box = session.picture;
-  if (shows_traced(session)) {
-    paint_picture(box, frame.traced, 0, 1);
-  } else if (session.shown != nullptr) {
-    paint_picture(box, frame.scene, 0, 1);
-  }
-  if (!is_comparable(session) && session.compare != CompareView::reference) {
+  paint_picture(session, box, texture_of(session, frame, role_in_front(session)));
+  if (!is_comparable(session)) {
     return;
   }
-  switch (session.compare) {
-    case CompareView::off:
-      break;
-    case CompareView::split:
-      paint_picture(box, frame.reference, session.split, 1);
-      break;
-    case CompareView::reference:
-      paint_picture(box, frame.reference, 0, 1);
-      break;
-    case CompareView::difference:
-      paint_picture(box, session.comparison ? frame.difference : 0, 0, 1);
-      break;
-    case CompareView::flip:
-      paint_picture(box, session.comparison ? frame.flip : 0, 0, 1);
-      break;
+  const unsigned right = texture_of(session, frame, sides_of(session).right);
+  if (session.compare == CompareView::side_by_side) {
+    paint_picture(session, session.beside, right);
+  } else if (session.compare == CompareView::split) {
+    paint_picture(session, box, right, session.split, 1);
+  } else if (session.comparison && session.compare == CompareView::difference) {
+    paint_picture(session, box, frame.difference);
+  } else if (session.comparison && session.compare == CompareView::flip) {
+    paint_picture(session, box, frame.flip);
   }
 }
 
@@ -92,38 +95,56 @@ void paint_split(const Session& session, const GuiFrame& frame) {
                            vec({back, middle + 4 * frame.scale}), rgba(0x222222));
   }
   const double top = box.at.y + 10 * frame.scale;
-  paint_label({x - 12 * frame.scale, top}, "ours", {1, 0}, frame.scale);
-  paint_label({x + 12 * frame.scale, top}, other_name(session), {0, 0}, frame.scale);
+  const Sides sides = sides_of(session);
+  paint_label({x - 12 * frame.scale, top}, role_name(session, sides.left), {1, 0}, frame.scale);
+  paint_label({x + 12 * frame.scale, top}, role_name(session, sides.right), {0, 0}, frame.scale);
+}
+
+// What the pictures are.
+void paint_names(const Session& session, const GuiFrame& frame) {
+  const glm::dvec2 corner = glm::dvec2(12, 10) * frame.scale;
+  const Sides sides = sides_of(session);
+  const auto write = [&](const Box& box, const std::string& text) {
+    paint_label(box.at + corner, text, {0, 0}, frame.scale, color_text, box.size.x);
+  };
+  switch (session.compare) {
+    case CompareView::split:
+      paint_split(session, frame);
+      break;
+    case CompareView::side_by_side:
+      write(session.beside, role_name(session, sides.right));
+      [[fallthrough]];
+    case CompareView::off:
+    case CompareView::flicker:
+    case CompareView::other:
+      write(session.picture, role_name(session, role_in_front(session)));
+      break;
+    case CompareView::difference:
+      write(session.picture, fmt::format("difference of {} and {}: black is none, yellow is all",
+                                         role_word(sides.left), role_word(sides.right)));
+      break;
+    case CompareView::flip:
+      write(session.picture, fmt::format("FLIP of {} and {}: visible differences, black is none",
+                                         role_word(sides.left), role_word(sides.right)));
+      break;
+  }
 }
 
 void paint_comparison(const Session& session, const GuiFrame& frame) {
-  if (session.compare == CompareView::off || session.reference->empty()) {
+  const Sides sides = sides_of(session);
+  if (session.compare == CompareView::off || sides == Sides()) {
     return;
   }
-  if (!is_comparable(session) && session.compare != CompareView::reference) {
-    const Box& box = session.picture;
-    paint_label(box.at + glm::dvec2(box.size.x / 2, box.size.y - 12 * frame.scale),
-                fmt::format("{} is not compared: this is not the scene's camera (Home)",
-                            other_name(session)),
-                {0.5, 1}, frame.scale, color_dim, box.size.x);
-    return;
+  if (is_comparable(session) || session.compare == CompareView::other) {
+    paint_names(session, frame);
   }
-  if (session.compare == CompareView::split) {
-    paint_split(session, frame);
-  } else {
-    const std::array<std::string, 3> names{other_name(session),
-                                           "difference: black is none, yellow is all",
-                                           "FLIP: visible differences, black is none"};
-    const auto index = static_cast<std::size_t>(session.compare) -
-                       static_cast<std::size_t>(CompareView::reference);
-    paint_label(session.picture.at + glm::dvec2(12, 10) * frame.scale, names[index], {0, 0},
-                frame.scale);
-  }
-  if (session.comparison && is_comparable(session)) {
-    const Box& box = session.picture;
-    paint_label(box.at + glm::dvec2(box.size.x / 2, box.size.y - 12 * frame.scale),
-                measures_text(session.comparison->measures), {0.5, 1}, frame.scale, color_text,
-                box.size.x);
+  if (!is_comparable(session)) {
+    paint_bottom_label(session, frame,
+                       fmt::format("{} is not compared: this is not the scene's camera (Home)",
+                                   role_word(sides.right)),
+                       color_dim);
+  } else if (session.comparison && session.comparison->sides == sides) {
+    paint_bottom_label(session, frame, measures_text(session.comparison->measures), color_text);
   }
 }
 
@@ -375,11 +396,20 @@ void paint_legend(const Session& session, const GuiFrame& frame) {
 
 }  // namespace
 
+unsigned texture_of(const Session& session, const GuiFrame& frame, Role role) {
+  return role == Role::reference    ? frame.reference
+         : role == Role::mine       ? frame.mine
+         : shows_traced(session)    ? frame.traced
+         : session.shown != nullptr ? frame.scene
+                                    : 0;
+}
+
 void build_overlay(Session& session, const GuiFrame& frame) {
   paint_pictures(session, frame);
   paint_selection(session, frame);
   paint_helpers(session, frame);
   paint_handles(session, frame);
+  paint_values(session, frame);
   paint_comparison(session, frame);
   paint_legend(session, frame);
   paint_welcome(session, frame);
@@ -391,14 +421,13 @@ void build_overlay(Session& session, const GuiFrame& frame) {
   if (session.readout.at && panels) {
     paint_mark(session, frame);
   }
+  paint_magnifier(session, frame);
   if (session.settings.statistics && !session.picture_only) {
     build_statistics(session, frame);
   }
   if (session.notice) {
-    const Box& box = session.picture;
-    paint_label(box.at + glm::dvec2(box.size.x / 2, box.size.y - 58 * frame.scale),
-                escaped(session.notice->text, 300), {0.5, 0.5}, frame.scale,
-                session.notice->bad ? color_error : color_good, box.size.x);
+    paint_bottom_label(session, frame, escaped(session.notice->text, 300),
+                       session.notice->bad ? color_error : color_good, 3);
   }
 }
 

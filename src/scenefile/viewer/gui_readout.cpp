@@ -47,8 +47,9 @@ void build_swatch(const char* name, const PixelValue& value) {
 void build_answers(const Session& session) {
   const PixelReadout& readout = session.readout;
   ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[1]);
-  if (!session.reference->empty()) {
-    ImGui::TextDisabled("why %s differs from ours:", other_name(session).c_str());
+  if (session.mine.exists()) {
+    ImGui::TextDisabled("why mine differs from %s:",
+                        session.reference.exists() ? "the reference" : "ours");
     build_lines(cause_text(session));
     ImGui::Spacing();
   }
@@ -59,7 +60,11 @@ void build_answers(const Session& session) {
 }  // namespace
 
 void paint_mark(const Session& session, const GuiFrame& frame) {
-  const glm::dvec2 at = session.picture.at + *session.readout.at * session.picture.size;
+  const Box whole = whole_picture(session, session.picture);
+  const glm::dvec2 at = whole.at + *session.readout.at * whole.size;
+  if (!session.picture.holds(at)) {
+    return;
+  }
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
   const auto radius = static_cast<float>(7 * frame.scale);
   draw.AddCircle(vec(at), radius, rgba(0x000000, 180), 24, static_cast<float>(3 * frame.scale));
@@ -87,13 +92,13 @@ void build_readout(Session& session) {
     ImGui::TextWrapped("%s", "Click into the picture to see how the color of a pixel is computed.");
     return;
   }
-  if (readout.ours) {
-    build_swatch("ours", *readout.ours);
+  for (const Role role : {Role::ours, Role::reference, Role::mine}) {
+    if (const auto& value = readout.values[static_cast<std::size_t>(role)]) {
+      build_swatch(role_word(role).data(), *value);
+    }
   }
-  if (readout.other) {
-    build_swatch(other_name(session).c_str(), *readout.other);
-  } else if (!session.reference->empty()) {
-    ImGui::TextDisabled("%s is not compared: press Home", other_name(session).c_str());
+  if (sides_of(session) != Sides() && !is_comparable(session)) {
+    ImGui::TextDisabled("not compared: this is not the scene's camera (Home)");
   }
   ImGui::Spacing();
   build_answers(session);

@@ -50,7 +50,8 @@ Values values_of(const glm::dvec3& v) {
 double pixel_size(const Session& session, const glm::dvec3& at) {
   const RenderCamera camera = render_camera(session.camera);
   const double depth = -glm::dot(at - camera.position, camera.w);
-  return 2 * std::max(depth, 0.0) * std::tan(camera.fov_y / 2) / session.picture.size.y;
+  const double height = whole_picture(session, session.picture).size.y;
+  return 2 * std::max(depth, 0.0) * std::tan(camera.fov_y / 2) / height;
 }
 
 // The place on the axis that is nearest to the ray, as a distance from `at`.

@@ -89,9 +89,11 @@ TracedPicture LiveTrace::Job::trace_rays(Clock::time_point start) {
       put({quantize(image, rounding), done, false, seconds_since(start), {}});
     }
   };
-  const RenderResult result = render(scene, *assets, options, std::move(control));
-  return {quantize(result.image, rounding), 1, true, seconds_since(start),
-          failure_of(result.status)};
+  RenderResult result = render(scene, *assets, options, std::move(control));
+  TracedPicture last{quantize(result.image, rounding), 1, true, seconds_since(start),
+                     failure_of(result.status)};
+  last.linear = std::move(result.image);
+  return last;
 }
 
 TracedPicture LiveTrace::Job::trace_paths(Clock::time_point start, KeptStructure& kept) {
@@ -106,6 +108,9 @@ TracedPicture LiveTrace::Job::trace_paths(Clock::time_point start, KeptStructure
   passes.go_on = [&](bool first) { return !discarded && (first || !cancelled); };
   passes.show = [&](PathPass pass) {
     TracedPicture picture;
+    if (pass.complete) {
+      picture.linear = pass.image;
+    }
     picture.picture =
         quantize(tone_mapped(std::move(pass.image), Tone::course, 0), Rounding::nearest);
     picture.seconds = seconds_since(start);

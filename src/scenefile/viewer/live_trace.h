@@ -42,6 +42,7 @@ struct TracedPicture {
   /// render_path() and tone_mapped() give for this number.
   int samples = 0;
   double noise = 0;  ///< PathPass::noise
+  Image linear{};    ///< if complete: the values before they are tone-mapped and made 8-bit
 };
 
 /// Must be used from one thread.

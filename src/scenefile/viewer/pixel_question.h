@@ -1,7 +1,8 @@
 #pragma once
-// Questions about a picture that the program answers on another thread: how the color of a pixel
-// is computed, and why the picture next to ours differs.
+// Questions about pictures that the program answers on another thread: how a picture from a file
+// was drawn, how the color of a pixel is computed, and why mine differs.
 
+#include "scenefile/asset/image_file.h"
 #include "scenefile/base/realtime.h"
 #include "scenefile/trace/render_options.h"
 #include "scenefile/viewer/opened_scene.h"
@@ -19,6 +20,22 @@ namespace scenefile::viewer {
 
 using PixelValue = std::array<std::uint8_t, 3>;
 
+/// How is this picture drawn, as `scenefile diff` finds out?
+struct FitQuestion {
+  std::shared_ptr<const OpenedScene> scene;
+  std::string path;
+  std::shared_ptr<const DecodedPicture> picture;
+  /// Whether it is right. Of any other picture, missing features may be mistakes.
+  bool is_reference = false;
+};
+
+struct PictureFit {
+  RenderOptions options;  ///< the ways to draw the scene that is most similar to the picture
+  std::optional<RealtimeOptions> realtime{};  ///< set: the assignment Realtime
+  std::string words;                          ///< the same as options of the command line
+  bool equal = false;  ///< whether it then equals the picture, except at edges and by rounding
+};
+
 struct PixelQuestion {
   std::shared_ptr<const OpenedScene> scene;
   RenderScene drawn;      ///< the scene with the window's camera, without what is hidden
@@ -26,16 +43,18 @@ struct PixelQuestion {
   /// Set for the assignment Realtime; then only the size of `options` is used.
   std::optional<RealtimeOptions> realtime;
   glm::ivec2 pixel{0};
-  std::optional<PixelValue> other;  ///< of the picture next to ours
+  std::optional<PixelValue> mine;
 };
 
 struct CauseQuestion {
   std::shared_ptr<const OpenedScene> scene;
   RenderOptions options;
   /// Set for the assignment Realtime; then `options` is unused.
-  std::optional<RealtimeOptions> realtime;
-  std::shared_ptr<const Texture> ours;   ///< as drawn for the assignment; otherwise null
-  std::shared_ptr<const Texture> other;  ///< the picture next to ours
+  std::optional<RealtimeOptions> realtime{};
+  std::shared_ptr<const Texture> ours{};  ///< as drawn for the assignment; otherwise null
+  std::string reference_path;
+  std::shared_ptr<const DecodedPicture> reference;  ///< null: ours is
+  std::shared_ptr<const DecodedPicture> mine;
 };
 
 /// Both return text of several lines, even if there is no answer.
@@ -43,5 +62,7 @@ using ExplainPixel = std::function<std::string(const PixelQuestion&)>;
 /// Stops soon after `go_on` returns false.
 using FindCause =
     std::function<std::string(const CauseQuestion&, const std::function<bool()>& go_on)>;
+/// Nothing if there is not enough memory.
+using FitPicture = std::function<std::optional<PictureFit>(const FitQuestion&)>;
 
 }  // namespace scenefile::viewer

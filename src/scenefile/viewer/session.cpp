@@ -18,11 +18,6 @@ namespace {
 constexpr double rest = 0.25;  // the camera must rest this long before ray tracing starts
 constexpr double notice_seconds = 4;
 
-bool wants_trace(const Session& session) {
-  return traces_paths(session) || (session.settings.ray_tracing && session.shown != nullptr &&
-                                   !session.realtime && session.mode == DrawMode::shaded);
-}
-
 void start_trace(Session& session) {
   TraceRequest request;
   request.scene =
@@ -42,7 +37,7 @@ bool tick_trace(Session& session) {
   if (!wants_trace(session)) {
     return false;
   }
-  const bool sized = session.pixels != glm::ivec2(1) || !session.reference->empty();
+  const bool sized = picture_size(session) != glm::ivec2(1);
   if (!session.trace_started && (traces_paths(session) ? sized : at_rest(session))) {
     start_trace(session);
   }
@@ -59,10 +54,38 @@ bool tick_trace(Session& session) {
   return true;
 }
 
+// `ours`: null if ours is not one of the two.
+void start_comparison(Session& session, std::shared_ptr<const Texture> ours) {
+  session.compare_started = true;
+  const Sides sides = sides_of(session);
+  const auto texture = [&](Role role) {
+    const OtherPicture* const picture = picture_of(session, role);
+    return picture == nullptr
+               ? ours
+               : std::shared_ptr<const Texture>(picture->decoded, &picture->decoded->texture);
+  };
+  session.comparing.start(
+      [sides, left = texture(sides.left), right = texture(sides.right), wake = session.setup.wake] {
+        Comparison comparison = compare_pictures(sides, *left, *right);
+        wake();
+        return comparison;
+      });
+}
+
+bool wants_comparison(const Session& session) {
+  return session.compare != CompareView::off && is_comparable(session) &&
+         session.shown != nullptr && !session.compare_started && !session.comparing.busy();
+}
+
+bool has_ours(const Session& session) {
+  return sides_of(session).left == Role::ours;
+}
+
 bool tick_comparison(Session& session) {
-  if (session.compare != CompareView::off && !session.compare_started && shows_traced(session) &&
-      session.traced->complete && is_comparable(session)) {
-    compare_with(session, session.traced->picture);
+  if (wants_comparison(session) && !has_ours(session)) {
+    start_comparison(session, nullptr);
+  } else if (wants_comparison(session) && shows_traced(session) && session.traced->complete) {
+    compare_ours(session, session.traced->picture);
   }
   std::optional<Comparison> done = session.comparing.take();
   if (!done) {
@@ -71,6 +94,12 @@ bool tick_comparison(Session& session) {
   session.comparison = std::move(done);
   ++session.comparison_version;
   return true;
+}
+
+bool tick_flicker(Session& session) {
+  const bool right = session.compare == CompareView::flicker &&
+                     static_cast<std::int64_t>(session.now / flicker_seconds) % 2 != 0;
+  return std::exchange(session.flicker_right, right) != right;
 }
 
 // From the assignment's handout: W A S D move along the view, Space and Control along the world's y
@@ -120,10 +149,34 @@ std::string name_of_scene(const std::string& path) {
   return path.empty() ? "" : path == "-" ? "<stdin>" : file_name_of(path);
 }
 
+// The largest box with the picture's aspect ratio in the center of the available space.
+Box picture_box(const Session& session, const Box& room) {
+  const bool free = picture_of(session, sides_of(session).right) == nullptr;
+  const glm::dvec2 size = picture_size(session);
+  const double aspect = free ? room.size.x / room.size.y : size.x / size.y;
+  Box box = room;
+  if (aspect * room.size.y > room.size.x) {
+    box.size.y = std::max(1.0, room.size.x / aspect);
+  } else {
+    box.size.x = std::max(1.0, room.size.y * aspect);
+  }
+  box.size = glm::max(glm::floor(box.size), glm::dvec2(1));
+  box.at = glm::floor(room.at + (room.size - box.size) * 0.5);
+  return box;
+}
+
 }  // namespace
 
 bool tick_files(Session& session);  // session_files.cpp
 bool tick_pixel(Session& session);  // session_pixel.cpp
+
+bool wants_trace(const Session& session) {
+  // OpenGL leaves reflections out.
+  const bool compares = session.compare != CompareView::off && is_comparable(session);
+  return traces_paths(session) ||
+         ((session.settings.ray_tracing || compares) && session.shown != nullptr &&
+          !session.realtime && session.mode == DrawMode::shaded);
+}
 
 bool at_rest(const Session& session) {
   return session.pointer.drag == Drag::none && session.held.empty() &&
@@ -138,11 +191,9 @@ bool traces_paths(const Session& session) {
 RenderOptions trace_options(const Session& session) {
   const bool paths = traces_paths(session);
   RenderOptions options = paths ? session.setup.paths : session.setup.trace;
-  const glm::ivec2 size = session.reference->empty()
-                              ? session.pixels
-                              : glm::ivec2(session.reference->width, session.reference->height);
-  options.width = std::max(1, size.x);
-  options.height = std::max(1, size.y);
+  const glm::ivec2 size = picture_size(session);
+  options.width = size.x;
+  options.height = size.y;
   if (paths) {
     return options;
   }
@@ -159,6 +210,7 @@ bool tick(Session& session, double now) {
   news = tick_flight(session, seconds) || news;
   news = tick_trace(session) || news;
   news = tick_comparison(session) || news;
+  news = tick_flicker(session) || news;
   news = tick_pixel(session) || news;
   return tick_notice(session) || news;
 }
@@ -170,7 +222,8 @@ bool settled(const Session& session) {
                          is_comparable(session) &&
                          (!session.compare_started || session.comparing.busy());
   const bool thumbnails = session.start.open && session.thumbnails.busy();
-  return !session.loading.busy() && !session.load_again && session.pictures.empty() && !tracing &&
+  return !session.loading.busy() && !session.load_again && session.pictures.empty() &&
+         !session.fitting.busy() && !(session.fit_wanted && session.shown != nullptr) && !tracing &&
          !comparing && !thumbnails && !session.readout.explaining.busy() &&
          !session.cause.finding.busy() && (!session.readout.at || session.readout.asked) &&
          session.held.empty();
@@ -192,8 +245,11 @@ double next_tick(const Session& session) {
   if (session.notice) {
     seconds = std::min(seconds, session.notice->until - session.now);
   }
+  if (session.compare == CompareView::flicker) {
+    seconds = std::min(seconds, flicker_seconds - std::fmod(session.now, flicker_seconds));
+  }
   if (session.comparing.busy() || session.loading.busy() || session.reading.busy() ||
-      session.thumbnails.busy() || session.readout.explaining.busy() ||
+      session.fitting.busy() || session.thumbnails.busy() || session.readout.explaining.busy() ||
       session.cause.finding.busy()) {
     seconds = std::min(seconds, 0.05);
   }
@@ -218,8 +274,8 @@ void picture_changed(Session& session) {
 void set_pixels(Session& session, const glm::ivec2& pixels) {
   const glm::ivec2 before = session.pixels;
   session.pixels = glm::max(pixels, glm::ivec2(1));
-  // With a reference, traced pictures have its size.
-  if (session.pixels != before && session.reference->empty()) {
+  // With a picture from a file, traced pictures have its size.
+  if (session.pixels != before && picture_size(session) == session.pixels) {
     picture_changed(session);
   }
 }
@@ -296,46 +352,99 @@ void toggle_hidden(Session& session, std::uint32_t row) {
 }
 
 bool wants_picture(const Session& session) {
-  return session.compare != CompareView::off && is_comparable(session) &&
-         session.shown != nullptr && !session.compare_started && !wants_trace(session) &&
-         !session.comparing.busy() && at_rest(session);
+  return wants_comparison(session) && has_ours(session) && !wants_trace(session) &&
+         at_rest(session);
 }
 
-void compare_with(Session& session, Texture ours) {
-  if (session.comparing.busy() || session.reference->empty()) {
+void compare_ours(Session& session, Texture ours) {
+  if (wants_comparison(session) && has_ours(session)) {
+    session.compared = std::make_shared<const Texture>(std::move(ours));
+    start_comparison(session, session.compared);
+  }
+}
+
+std::vector<Sides> possible_sides(const Session& session) {
+  const auto size = [](const OtherPicture& picture) {
+    return glm::ivec2(picture.decoded->texture.width, picture.decoded->texture.height);
+  };
+  const bool mine = session.mine.exists();
+  const bool reference =
+      session.reference.exists() && (!mine || size(session.reference) == size(session.mine));
+  std::vector<Sides> all;
+  if (reference && mine) {
+    all.push_back({Role::reference, Role::mine});
+  }
+  if (mine) {
+    all.push_back({Role::ours, Role::mine});
+  }
+  if (reference) {
+    all.push_back({Role::ours, Role::reference});
+  }
+  return all;
+}
+
+Sides sides_of(const Session& session) {
+  const std::vector<Sides> all = possible_sides(session);
+  return all.empty() ? Sides() : all[session.sides % all.size()];
+}
+
+bool is_comparable(const Session& session) {
+  return sides_of(session) != Sides() && session.camera == session.home;
+}
+
+const OtherPicture* picture_of(const Session& session, Role role) {
+  const OtherPicture& picture = role == Role::mine ? session.mine : session.reference;
+  return role == Role::ours || !picture.exists() ? nullptr : &picture;
+}
+
+std::string role_name(const Session& session, Role role) {
+  const OtherPicture* const picture = picture_of(session, role);
+  return picture == nullptr
+             ? std::string(role_word(role))
+             : fmt::format("{}: {}", role_word(role), escaped(file_name_of(picture->path), 60));
+}
+
+Role role_in_front(const Session& session) {
+  const Sides sides = sides_of(session);
+  if (session.compare == CompareView::off ||
+      (!is_comparable(session) && session.compare != CompareView::other)) {
+    return Role::ours;
+  }
+  const bool right = session.compare == CompareView::other || session.flicker_right;
+  return right ? sides.right : sides.left;
+}
+
+glm::ivec2 picture_size(const Session& session) {
+  for (const Role role : {Role::mine, Role::reference}) {
+    if (const OtherPicture* const picture = picture_of(session, role)) {
+      return {picture->decoded->texture.width, picture->decoded->texture.height};
+    }
+  }
+  return glm::max(session.pixels, glm::ivec2(1));
+}
+
+void place_pictures(Session& session, const Box& room) {
+  session.picture = session.beside = picture_box(session, room);
+  if (session.compare != CompareView::side_by_side || sides_of(session) == Sides()) {
     return;
   }
-  session.compare_started = true;
-  session.compared = std::make_shared<const Texture>(std::move(ours));
-  session.comparing.start(
-      [reference = session.reference, ours = session.compared, wake = session.setup.wake] {
-        Comparison comparison = compare_pictures(*reference, *ours);
-        wake();
-        return comparison;
-      });
-}
-
-double picture_aspect(const Session& session, const glm::dvec2& room) {
-  return session.reference->empty()
-             ? room.x / room.y
-             : static_cast<double>(session.reference->width) / session.reference->height;
-}
-
-Box picture_box(const Session& session, const Box& room) {
-  const double aspect = picture_aspect(session, room.size);
-  Box box = room;
-  if (aspect * room.size.y > room.size.x) {
-    box.size.y = std::max(1.0, room.size.x / aspect);
-  } else {
-    box.size.x = std::max(1.0, room.size.y * aspect);
+  constexpr double gap = 4;
+  double largest = 0;
+  for (const int axis : {0, 1}) {
+    Box first = room;
+    first.size[axis] = std::max(1.0, (room.size[axis] - gap) / 2);
+    Box second = first;
+    second.at[axis] += first.size[axis] + gap;
+    if (const Box box = picture_box(session, first); box.size.x > largest) {
+      largest = box.size.x;
+      session.picture = box;
+      session.beside = picture_box(session, second);
+    }
   }
-  box.size = glm::max(glm::floor(box.size), glm::dvec2(1));
-  box.at = glm::floor(room.at + (room.size - box.size) * 0.5);
-  return box;
 }
 
 CameraView camera_view(const Session& session) {
-  const Box& box = session.picture;
+  const Box box = whole_picture(session, session.picture);
   if (!session.realtime) {
     return {box, box.size.x / box.size.y};
   }
@@ -402,14 +511,6 @@ DrawOptions draw_options(const Session& session) {
     }
   }
   return options;
-}
-
-std::string other_name(const Session& session) {
-  return escaped(file_name_of(session.reference_path), 60);
-}
-
-bool is_comparable(const Session& session) {
-  return !session.reference->empty() && session.camera == session.home;
 }
 
 std::string scene_name(const Session& session) {

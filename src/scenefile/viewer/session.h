@@ -52,8 +52,9 @@ struct SessionSetup {
   std::function<void()> wake{};               ///< called from other threads when tick() has work
   ExplainPixel explain_pixel{};               ///< empty: pixels are not explained
   FindCause find_cause{};                     ///< empty: causes are not looked for
-  std::string layer{};                        ///< of references that are EXR files with layers
-  std::string recent_files{};                 ///< path of the recent files; empty: not kept
+  FitPicture fit_picture{};    ///< empty: pictures from files are mine, and not fitted
+  std::string layer{};         ///< of pictures that are EXR files with layers
+  std::string recent_files{};  ///< path of the recent files; empty: not kept
 };
 
 /// A drawable scene, with derived data.
@@ -68,17 +69,18 @@ struct SceneOnShow {
   std::unique_ptr<const Picker> picker;
 };
 
-/// A file to read as the reference.
+/// A picture file to read.
 struct PictureRequest {
   std::string path;
-  bool or_scene = false;  ///< if it is not a picture, it is opened as a scene
-  bool changed = false;   ///< the reference has changed: errors wait for its next change
+  std::optional<Role> role{};  ///< not set: see open_picture()
+  bool or_scene = false;       ///< if it is not a picture, it is opened as a scene
+  bool changed = false;        ///< the picture has changed: errors wait for its next change
 };
 
 struct ReadPicture {
-  Texture picture;          ///< empty: see `error`
-  std::string error;        ///< one line
-  bool is_picture = false;  ///< as far as its first bytes tell
+  std::shared_ptr<const DecodedPicture> picture;  ///< null: see `error`
+  std::string error;                              ///< one line
+  bool is_picture = false;                        ///< as far as its first bytes tell
 };
 
 /// A message that is shown for a short time.
@@ -98,7 +100,7 @@ struct Box {
 };
 
 /// What dragging does until the button is released.
-enum class Drag : std::uint8_t { none, orbit, pan, look, zoom, split, handle };
+enum class Drag : std::uint8_t { none, orbit, pan, look, zoom, scroll, split, handle };
 
 struct Pointer {
   glm::dvec2 at{0};
@@ -129,9 +131,14 @@ struct Session {
   // The view.
   ViewCamera home;
   ViewCamera camera;
-  double moved_at = 0;   ///< when the picture last changed
-  Box picture;           ///< position of the picture; set by the window
-  glm::ivec2 pixels{1};  ///< its size in framebuffer pixels; set_pixels()
+  double moved_at = 0;        ///< when the picture last changed
+  Box picture;                ///< position of the picture; set by the window
+  glm::ivec2 pixels{1};       ///< its size in framebuffer pixels; set_pixels()
+  Texture drawn;              ///< the last picture from OpenGL
+  double zoom = 1;            ///< into the pictures; 1 shows all of them
+  glm::dvec2 zoom_at{0.5};    ///< the middle of what is visible, by fractions of their size
+  glm::dvec2 looked_at{0.5};  ///< the place under the pointer, or where keys moved it
+  bool magnifier = false;     ///< around that place
   Pointer pointer;
   std::set<std::string> held;  ///< flying keys that are down
   bool fast = false;           ///< Shift is down
@@ -157,17 +164,24 @@ struct Session {
   std::optional<TracedPicture> traced;  ///< of the current picture
   std::uint64_t traced_version = 0;     ///< changes with each picture in `traced`
 
-  // The reference.
-  std::string reference_path;
-  std::shared_ptr<const Texture> reference = std::make_shared<Texture>();  ///< empty: none
+  // Pictures from files.
+  OtherPicture reference;
+  OtherPicture mine;
   std::deque<PictureRequest> pictures;  ///< the first one is being read
   Background<ReadPicture> reading;
-  std::uint64_t reference_version = 0;
+  std::uint64_t pictures_read = 0;
+  bool role_open = false;         ///< nobody has said yet that it is `mine`: its fit will tell
+  bool fit_wanted = false;        ///< of the reference, or else of mine
+  std::uint64_t fit_version = 0;  ///< of the picture that is being fitted
+  Background<std::optional<PictureFit>> fitting;
+  std::size_t sides = 0;  ///< into possible_sides()
   CompareView compare = CompareView::off;
-  double split = 0.5;            ///< fraction of the picture that shows ours
-  bool compare_started = false;  ///< for the current picture
+  Box beside;                    ///< the place of the right picture; set by the window
+  double split = 0.5;            ///< fraction of the picture that shows the left one
+  bool flicker_right = false;    ///< which of both is shown now
+  bool compare_started = false;  ///< for the current pictures
   Background<Comparison> comparing;
-  std::optional<Comparison> comparison;  ///< of the current or previous picture
+  std::optional<Comparison> comparison;  ///< of the current or previous pictures
   std::uint64_t comparison_version = 0;
   std::shared_ptr<const Texture> compared;  ///< our picture in the comparison; null: none
   CauseSearch cause;
@@ -208,12 +222,14 @@ void open_scene(Session& session, const std::string& path);
 /// Shows the panel that opens scenes, at the folder of the scene.
 void open_start_panel(Session& session);
 void close_start_panel(Session& session);
-/// Opens the path that was chosen in the panel, or typed: a folder is listed, a picture becomes the
-/// reference, anything else is opened as a scene. Shows a notice if there is no such file.
+/// Opens the path that was chosen in the panel, or typed: a folder is listed, a picture compared
+/// with, anything else opened as a scene. Shows a notice if there is no such file.
 void choose(Session& session, const std::string& path);
-/// Starts reading a picture as the reference. A notice is shown if it is not a picture.
-void open_reference(Session& session, const std::string& path);
-/// Handles files or folders dropped on the window: pictures become the reference, anything else is
+/// Starts reading a picture to compare with. Without a role it is mine, unless there is no
+/// reference and it equals our picture: then it is the reference. A notice is shown if it is not a
+/// picture.
+void open_picture(Session& session, const std::string& path, std::optional<Role> role = {});
+/// Handles files or folders dropped on the window: pictures are compared with, anything else is
 /// opened as a scene.
 void drop(Session& session, const std::vector<std::string>& paths);
 
@@ -235,8 +251,9 @@ void key_released(Session& session, const std::string& name);
 void pointer_pressed(Session& session, int button, const KeyPress& with);
 void pointer_moved(Session& session, const glm::dvec2& to);
 void pointer_released(Session& session);
-/// `steps` upward; moves toward the point under the pointer.
-void wheel_turned(Session& session, double steps);
+/// `steps` upward; moves toward the point under the pointer, or zooms into the picture there:
+/// `into_picture`, and as long as not all of it is visible.
+void wheel_turned(Session& session, double steps, bool into_picture = false);
 
 void set_camera(Session& session, const ViewCamera& camera);
 /// Sets the size of the picture in framebuffer pixels.
@@ -260,25 +277,72 @@ void say(Session& session, std::string text, bool bad = false);
 /// Opens the readout of a pixel, given by fractions of the picture's width and height, or closes
 /// it.
 void read_pixel(Session& session, const std::optional<glm::dvec2>& at);
-/// Finds the pixel of the readout in the current picture, and its value in the picture next to
-/// ours.
+/// Finds the pixel of the readout in the current pictures, and its values.
 void locate_pixel(Session& session);
 /// Call after any change of the pictures or how they are drawn, except of the camera.
 void forget_cause(Session& session);
-/// Why the picture next to ours differs, or that it is not known yet.
+/// Why mine differs, or that it is not known yet.
 std::string cause_text(const Session& session);
 /// The readout as text for copying: values, terms and cause, as far as they are known.
 std::string readout_text(const Session& session);
 
-/// Whether the comparison needs a picture from OpenGL, because the ray tracer does not provide one.
-/// The window should then draw one of the reference's size and pass it to compare_with().
+/// The comparison needs a picture from OpenGL, because the ray tracer does not provide one. The
+/// window should then draw one of the size of picture_size() and pass it to compare_ours().
 bool wants_picture(const Session& session);
-void compare_with(Session& session, Texture ours);
+void compare_ours(Session& session, Texture ours);
 
-/// The aspect ratio of the picture: that of the reference, if there is one.
-double picture_aspect(const Session& session, const glm::dvec2& room);
-/// The largest box with the picture's aspect ratio in the center of the available space.
-Box picture_box(const Session& session, const Box& room);
+/// The pictures that can be compared with each other. Of different sizes, that of mine counts.
+std::vector<Sides> possible_sides(const Session& session);
+/// The ones that are compared; equal: there are none.
+Sides sides_of(const Session& session);
+/// Whether they can be compared now: the camera is the scene's own.
+bool is_comparable(const Session& session);
+/// The file's picture of this role; null: there is none, or it is ours.
+const OtherPicture* picture_of(const Session& session, Role role);
+/// "mine: b.png".
+std::string role_name(const Session& session, Role role);
+/// Exchanges reference and mine, one of which may not exist.
+void exchange_roles(Session& session);
+/// The role of the picture at the place of ours: that of the left one, if two are compared.
+Role role_in_front(const Session& session);
+/// Of our picture: that of mine or the reference; else as large as the window shows it.
+glm::ivec2 picture_size(const Session& session);
+
+/// Sets the places of the pictures in the available space.
+void place_pictures(Session& session, const Box& room);
+/// Where all of the picture would be of which `view` shows a part.
+Box whole_picture(const Session& session, const Box& view);
+/// The place of the pictures that is at a place in the window, by fractions of their size.
+glm::dvec2 place_in_picture(const Session& session, const glm::dvec2& at);
+/// Shows a `factor` times smaller part, with `at` where it is now.
+void zoom_picture(Session& session, double factor, const glm::dvec2& at);
+/// Moves what is visible by fractions of the picture.
+void scroll_picture(Session& session, const glm::dvec2& by);
+/// Looks at another pixel, and keeps it visible: the next one in this direction, or farther if
+/// neither magnifier nor values show single pixels.
+void look_beside(Session& session, const glm::ivec2& direction);
+
+/// The values of a picture.
+struct PixelSource {
+  const Texture* bytes = nullptr;  ///< null: there is none
+  const Image* linear = nullptr;   ///< null: only 8-bit values are known
+
+  glm::ivec2 size() const {
+    return bytes == nullptr ? glm::ivec2(0) : glm::ivec2(bytes->width, bytes->height);
+  }
+  glm::ivec2 pixel_at(const glm::dvec2& place) const {
+    return glm::clamp(glm::ivec2(glm::floor(place * glm::dvec2(size()))), glm::ivec2(0),
+                      glm::max(size() - 1, 0));
+  }
+};
+PixelSource pixels_of(const Session& session, Role role);
+/// Three numbers: from 0 to 255, or with Settings::linear_values from 0 to 1; these may be larger.
+std::array<std::string, 3> value_texts(const Session& session, const PixelSource& source,
+                                       const glm::ivec2& pixel);
+/// From so many pixels of the window on, a pixel of the picture shows its values.
+inline constexpr double pixels_for_values = 36;
+/// How large a pixel of the picture is in the window.
+double pixel_width(const Session& session, const PixelSource& source);
 /// The box of the camera's view in the window, and its aspect ratio, which differs from that of the
 /// picture in the assignment Realtime.
 struct CameraView {
@@ -290,6 +354,8 @@ CameraView camera_view(const Session& session);
 Ray ray_in_window(const Session& session, const glm::dvec2& at);
 /// Where a point of the world is in the window; nullopt: not in front of the camera.
 std::optional<glm::dvec2> point_in_window(const Session& session, const glm::dvec3& point);
+/// Whether the picture is traced, once the camera rests.
+bool wants_trace(const Session& session);
 /// Whether the picture is path traced: always, not only when the camera rests.
 bool traces_paths(const Session& session);
 /// Whether the ray tracer's or path tracer's picture is visible.
@@ -303,11 +369,6 @@ RenderOptions trace_options(const Session& session);
 /// The options for drawing with OpenGL.
 DrawOptions draw_options(const Session& session);
 
-/// The name of the picture next to ours: its file's.
-std::string other_name(const Session& session);
-/// Whether our picture and the other one are of the same camera, the scene's. Otherwise they are
-/// not compared.
-bool is_comparable(const Session& session);
 /// Texts for the title and the status line: the requested scene, and the visible one.
 std::string scene_name(const Session& session);
 std::string shown_name(const Session& session);

@@ -137,39 +137,35 @@ void next_light(Session& session) {
   show_only_light(session, next < count ? std::optional(next) : std::nullopt);
 }
 
-// Switches the split view on or off.
-void split(Session& session) {
-  if (session.reference->empty()) {
+bool can_compare(Session& session) {
+  if (sides_of(session) == Sides()) {
     say(session,
         "there is no picture to compare with; drop one into the window, or name one: "
         "scenefile view SCENE PICTURE.png",
         true);
-    return;
+    return false;
   }
-  session.compare = session.compare == CompareView::split ? CompareView::off : CompareView::split;
+  return true;
 }
 
-// Cycles through the views of the difference.
-void difference(Session& session) {
-  if (session.reference->empty()) {
-    split(session);
+// Shows the pictures this way, or only ours again.
+void compare_by(Session& session, Action action) {
+  if (can_compare(session)) {
+    const auto view =
+        static_cast<CompareView>(static_cast<int>(CompareView::side_by_side) +
+                                 static_cast<int>(action) - static_cast<int>(Action::side_by_side));
+    session.compare = session.compare == view ? CompareView::off : view;
+  }
+}
+
+void next_sides(Session& session) {
+  if (possible_sides(session).size() < 2) {
+    say(session, "for this, give two pictures of the same size: --reference A.png --mine B.png");
     return;
   }
-  switch (session.compare) {
-    case CompareView::off:
-    case CompareView::split:
-      session.compare = CompareView::difference;
-      break;
-    case CompareView::difference:
-      session.compare = CompareView::flip;
-      break;
-    case CompareView::flip:
-      session.compare = CompareView::reference;
-      break;
-    case CompareView::reference:
-      session.compare = CompareView::off;
-      break;
-  }
+  ++session.sides;
+  session.comparison.reset();
+  session.compare_started = false;
 }
 
 // The first unused name: stem.png, stem-2.png, ...
@@ -224,6 +220,8 @@ void escape(Session& session) {
   } else if (session.explaining) {
     session.explaining = false;
     read_pixel(session, std::nullopt);
+  } else if (session.zoom > 1) {
+    zoom_picture(session, 0, session.looked_at);
   } else {
     select(session, std::nullopt);
   }
@@ -315,19 +313,42 @@ void perform_on_picture(Session& session, Action action) {
       forget_cause(session);
       picture_changed(session);
       break;
+    case Action::side_by_side:
     case Action::split:
-      split(session);
-      break;
+    case Action::flicker:
+    case Action::other:
     case Action::difference:
-      difference(session);
-      break;
     case Action::flip:
-      if (session.reference->empty()) {
-        split(session);
-      } else {
-        session.compare =
-            session.compare == CompareView::reference ? CompareView::off : CompareView::reference;
+      compare_by(session, action);
+      break;
+    case Action::next_sides:
+      next_sides(session);
+      break;
+    case Action::exchange_roles:
+      if (can_compare(session)) {
+        exchange_roles(session);
       }
+      break;
+    case Action::zoom_in:
+    case Action::zoom_out:
+      zoom_picture(session, action == Action::zoom_in ? 1.5 : 1 / 1.5, session.looked_at);
+      break;
+    case Action::zoom_all:
+      zoom_picture(session, 0, session.looked_at);
+      break;
+    case Action::look_left:
+    case Action::look_right:
+      look_beside(session, {action == Action::look_left ? -1 : 1, 0});
+      break;
+    case Action::look_up:
+    case Action::look_down:
+      look_beside(session, {0, action == Action::look_up ? -1 : 1});
+      break;
+    case Action::magnifier:
+      session.magnifier = !session.magnifier;
+      break;
+    case Action::linear_values:
+      settings.linear_values = !settings.linear_values;
       break;
     case Action::reload:
       if (!session.path.empty()) {

@@ -6,6 +6,7 @@
 #include "scenefile/io/file.h"
 #include "scenefile/io/folder.h"
 #include "scenefile/placement/bounds.h"
+#include "scenefile/viewer/drawing_choices.h"
 #include "scenefile/viewer/playlist.h"
 #include "scenefile/viewer/recent_files.h"
 #include "scenefile/viewer/session.h"
@@ -76,8 +77,10 @@ void watch_files(Session& session, const SceneOnShow& scene) {
   if (session.path != "-") {
     paths.push_back(session.path);
   }
-  if (!session.reference_path.empty()) {
-    paths.push_back(session.reference_path);
+  for (const OtherPicture* const picture : {&session.reference, &session.mine}) {
+    if (picture->exists()) {
+      paths.push_back(picture->path);
+    }
   }
   session.watch.watch(std::move(paths));
 }
@@ -218,6 +221,7 @@ void show(Session& session, std::shared_ptr<const SceneOnShow> scene) {
     session.trace.stop();
     session.traced.reset();
     read_pixel(session, std::nullopt);
+    session.fit_wanted = session.reference.exists() || session.mine.exists();
   }
   forget_cause(session);
   picture_changed(session);
@@ -283,7 +287,7 @@ ReadPicture read_picture(const std::string& path, const std::string& layer) {
   }
   read.is_picture = is_image(*bytes);
   if (Result<DecodedPicture> picture = decode_picture(*bytes, layer, limits)) {
-    read.picture = std::move(picture->texture);
+    read.picture = std::make_shared<const DecodedPicture>(*std::move(picture));
   } else if (!read.is_picture && is_scene_name(path)) {
     read.error = fmt::format("{} is a scene, not a picture", path);
   } else {
@@ -308,33 +312,89 @@ void read_picture_later(Session& session, PictureRequest request) {
   read_next_picture(session);
 }
 
-void show_reference(Session& session, Texture picture) {
-  session.reference = std::make_shared<const Texture>(std::move(picture));
-  ++session.reference_version;
+void pictures_changed(Session& session) {
   session.comparison.reset();
   forget_cause(session);
   picture_changed(session);
+  if (session.broken != nullptr || session.shown != nullptr) {
+    watch_files(session, session.broken != nullptr ? *session.broken : *session.shown);
+  }
 }
 
-void accept(Session& session, const PictureRequest& request, ReadPicture read) {
+OtherPicture& picture_with(Session& session, Role role) {
+  return role == Role::mine ? session.mine : session.reference;
+}
+
+void accept(Session& session, const PictureRequest& request, const ReadPicture& read) {
   if (request.or_scene && !read.is_picture) {
     open_scene(session, request.path);
-  } else if (read.picture.empty()) {
+    return;
+  }
+  if (read.picture == nullptr) {
     if (!request.changed) {
       say(session, read.error, true);
     }
-  } else if (!request.changed) {
-    show_reference(session, std::move(read.picture));
-    session.reference_path = request.path;
+    return;
+  }
+  const Role role = request.role.value_or(Role::mine);
+  OtherPicture& picture = picture_with(session, role);
+  if (request.changed && request.path != picture.path) {
+    return;  // another one was opened in the meantime
+  }
+  picture = {request.path, read.picture, ++session.pictures_read};
+  if (!request.changed) {
+    session.role_open = !session.reference.exists() && (session.role_open || !request.role);
+    session.fit_wanted =
+        session.fit_wanted || role == Role::reference || !session.reference.exists();
+    session.sides = 0;
     if (session.compare == CompareView::off) {
       session.compare = CompareView::split;
     }
-    if (session.broken != nullptr || session.shown != nullptr) {
-      watch_files(session, session.broken != nullptr ? *session.broken : *session.shown);
-    }
-  } else if (request.path == session.reference_path) {
-    show_reference(session, std::move(read.picture));
   }
+  pictures_changed(session);
+}
+
+void start_fit(Session& session) {
+  session.fit_wanted = false;
+  const bool right = session.reference.exists();
+  const OtherPicture& picture = right ? session.reference : session.mine;
+  if (!session.setup.fit_picture || !picture.exists() || traces_paths(session)) {
+    return;
+  }
+  session.fit_version = picture.version;
+  session.fitting.start(
+      [question =
+           FitQuestion{
+               {session.shown, &session.shown->opened}, picture.path, picture.decoded, right},
+       fit = session.setup.fit_picture, wake = session.setup.wake] {
+        std::optional<PictureFit> found = fit(question);
+        wake();
+        return found;
+      });
+}
+
+void accept(Session& session, const PictureFit& fit) {
+  const bool right = session.reference.exists();
+  const OtherPicture& picture = right ? session.reference : session.mine;
+  if (picture.version != session.fit_version) {
+    return;  // another one was opened in the meantime
+  }
+  draw_like(session, fit);
+  const std::string name = escaped(file_name_of(picture.path), 60);
+  if (std::exchange(session.role_open, false) && fit.equal) {
+    std::swap(session.reference, session.mine);
+    say(session,
+        fmt::format("{} equals our picture: it is the reference, drawn with {}", name, fit.words));
+  } else if (!right) {
+    say(session, fmt::format("{} {} our picture: it is mine; ours is drawn with {}", name,
+                             fit.equal ? "equals" : "differs from", fit.words));
+  } else {
+    say(session,
+        fmt::format("{}, the reference, {} our picture, drawn with {}", name,
+                    fit.equal ? "equals" : "differs from", fit.words),
+        !fit.equal);
+  }
+  pictures_changed(session);
 }
 
 }  // namespace
@@ -352,16 +412,28 @@ bool tick_files(Session& session) {
   if (std::optional<ReadPicture> read = session.reading.take()) {
     const PictureRequest request = std::move(session.pictures.front());
     session.pictures.pop_front();
-    accept(session, request, *std::move(read));
+    accept(session, request, *read);
     read_next_picture(session);
     news = true;
+  }
+  if (std::optional<std::optional<PictureFit>> fit = session.fitting.take()) {
+    if (*fit && !session.fit_wanted) {
+      accept(session, **fit);
+    }
+    news = true;
+  }
+  if (session.fit_wanted && session.shown != nullptr && !session.loading.busy() &&
+      session.pictures.empty() && !session.fitting.busy()) {
+    start_fit(session);
   }
   if (session.now - session.watched_at >= watch_interval) {
     session.watched_at = session.now;
     ++session.looks;
     if (session.watch.changed()) {
-      if (!session.reference_path.empty()) {
-        read_picture_later(session, {session.reference_path, false, true});
+      for (const Role role : {Role::reference, Role::mine}) {
+        if (const OtherPicture* const picture = picture_of(session, role)) {
+          read_picture_later(session, {picture->path, role, false, true});
+        }
       }
       start_loading(session, true);
       news = true;
@@ -416,21 +488,28 @@ void choose(Session& session, const std::string& path) {
   } else if (!stamp_of(path).exists) {
     say(session, path + ": there is no such file", true);
   } else if (!is_scene_name(path)) {
-    read_picture_later(session, {path, true, false});
+    read_picture_later(session, {.path = path, .or_scene = true});
   } else {
     open_scene(session, path);
   }
 }
 
-void open_reference(Session& session, const std::string& path) {
-  read_picture_later(session, {path, false, false});
+void open_picture(Session& session, const std::string& path, std::optional<Role> role) {
+  read_picture_later(session, {.path = path, .role = role});
+}
+
+void exchange_roles(Session& session) {
+  std::swap(session.reference, session.mine);
+  session.role_open = false;
+  session.fit_wanted = true;
+  pictures_changed(session);
 }
 
 void drop(Session& session, const std::vector<std::string>& paths) {
   session.notice.reset();  // about an earlier drop
   for (const std::string& path : paths) {
     if (!is_folder(path) && !is_scene_name(path)) {
-      read_picture_later(session, {path, true, false});
+      read_picture_later(session, {.path = path, .or_scene = true});
     } else {
       open_scene(session, path);
     }

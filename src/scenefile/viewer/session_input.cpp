@@ -16,7 +16,7 @@ constexpr double split_slack = 8;
 
 bool near_split(const Session& session, const glm::dvec2& at) {
   const Box& box = session.picture;
-  return session.compare == CompareView::split && !session.reference->empty() && at.y >= box.at.y &&
+  return session.compare == CompareView::split && is_comparable(session) && at.y >= box.at.y &&
          at.y < box.at.y + box.size.y &&
          std::abs(at.x - (box.at.x + session.split * box.size.x)) <= split_slack;
 }
@@ -30,9 +30,14 @@ std::optional<Pick> pick_under(const Session& session, const Ray& ray) {
   return session.shown->picker->pick(ray, session.hidden, planes);
 }
 
+// The same place in our picture, for one in the picture beside it.
+glm::dvec2 place_in_ours(const Session& session, const glm::dvec2& at) {
+  return session.beside.holds(at) ? at + session.picture.at - session.beside.at : at;
+}
+
 // The point of the scene under the pointer, or one at the pivot's distance.
 glm::dvec3 point_under(const Session& session) {
-  const Ray ray = ray_in_window(session, session.pointer.at);
+  const Ray ray = ray_in_window(session, place_in_ours(session, session.pointer.at));
   if (const std::optional<Pick> pick = pick_under(session, ray)) {
     return pick->point;
   }
@@ -42,11 +47,10 @@ glm::dvec3 point_under(const Session& session) {
 // Selects the object under the pointer, and reads its pixel.
 void select_under(Session& session) {
   const SceneOnShow& scene = *session.shown;
-  const Ray ray = ray_in_window(session, session.pointer.at);
+  const Ray ray = ray_in_window(session, place_in_ours(session, session.pointer.at));
   const std::optional<Pick> pick = pick_under(session, ray);
-  const Box& box = session.picture;
   if (session.explaining || session.pointer.explains) {
-    read_pixel(session, (session.pointer.at - box.at) / box.size);
+    read_pixel(session, place_in_picture(session, session.pointer.at));
   }
   if (!pick || pick->source >= scene.outline.row_of_source.size()) {
     select(session, std::nullopt);
@@ -64,6 +68,9 @@ Drag drag_of(Session& session, int button, const KeyPress& with) {
   }
   if (button == 0 && grasp_handle(session)) {
     return Drag::handle;
+  }
+  if (session.zoom > 1) {
+    return Drag::scroll;
   }
   switch (button) {
     case 0:
@@ -95,6 +102,9 @@ void drag_by(Session& session, const glm::dvec2& by) {
       break;
     case Drag::zoom:
       set_camera(session, zoomed(session.camera, std::exp(3 * share.y), session.pointer.grasped));
+      break;
+    case Drag::scroll:
+      scroll_picture(session, -by / session.picture.size / session.zoom);
       break;
     case Drag::split:
       session.split = std::clamp(
@@ -165,6 +175,9 @@ void pointer_moved(Session& session, const glm::dvec2& to) {
     pointer.moved = true;
   }
   pointer.at = to;
+  if (session.picture.holds(place_in_ours(session, to))) {
+    session.looked_at = place_in_picture(session, to);
+  }
   if (pointer.drag != Drag::none) {
     drag_by(session, by);
   }
@@ -172,21 +185,27 @@ void pointer_moved(Session& session, const glm::dvec2& to) {
 
 void pointer_released(Session& session) {
   Pointer& pointer = session.pointer;
-  const bool click =
-      (pointer.drag == Drag::orbit || pointer.drag == Drag::look || pointer.drag == Drag::handle) &&
-      !pointer.moved;
+  const bool click = (pointer.drag == Drag::orbit || pointer.drag == Drag::look ||
+                      pointer.drag == Drag::scroll || pointer.drag == Drag::handle) &&
+                     !pointer.moved;
   if (pointer.drag == Drag::handle) {
     finish_edit(session);
   }
   pointer.drag = Drag::none;
-  if (click && session.picture.holds(pointer.at)) {
+  if (click && session.picture.holds(place_in_ours(session, pointer.at))) {
     select_under(session);
   }
 }
 
-void wheel_turned(Session& session, double steps) {
-  if (session.shown != nullptr) {
-    set_camera(session, zoomed(session.camera, std::pow(0.88, steps), point_under(session)));
+void wheel_turned(Session& session, double steps, bool into_picture) {
+  constexpr double step = 0.88;
+  if (session.shown == nullptr) {
+    return;
+  }
+  if (into_picture || session.zoom > 1) {
+    zoom_picture(session, std::pow(step, -steps), place_in_picture(session, session.pointer.at));
+  } else {
+    set_camera(session, zoomed(session.camera, std::pow(step, steps), point_under(session)));
   }
 }
 

@@ -27,7 +27,7 @@ void ask_for_terms(Session& session) {
       trace_options(session),
       {},
       readout.pixel,
-      readout.other};
+      readout.values[static_cast<std::size_t>(Role::mine)]};
   if (traces_paths(session)) {
     question.options.samples = session.traced->samples;
   }
@@ -53,7 +53,7 @@ bool wants_cause(const Session& session) {
   const bool drawn =
       !session.realtime ||
       (session.compared != nullptr && draws_whole_scene(session) && session.camera == session.home);
-  return session.readout.at && !session.reference->empty() && session.setup.find_cause &&
+  return session.readout.at && session.mine.exists() && session.setup.find_cause &&
          !traces_paths(session) && !session.cause.asked && !session.cause.finding.busy() && drawn;
 }
 
@@ -61,7 +61,11 @@ void ask_for_cause(Session& session) {
   CauseSearch& cause = session.cause;
   cause.asked = true;
   cause.stopped = std::make_shared<std::atomic<bool>>(false);
-  CauseQuestion question{opened_of(session), trace_options(session), {}, {}, session.reference};
+  CauseQuestion question{.scene = opened_of(session),
+                         .options = trace_options(session),
+                         .reference_path = session.reference.path,
+                         .reference = session.reference.decoded,
+                         .mine = session.mine.decoded};
   if (session.realtime) {
     question.realtime = session.realtime_panel;
     question.ours = session.compared;
@@ -127,18 +131,21 @@ void locate_pixel(Session& session) {
   readout.size = {options.width, options.height};
   readout.pixel = glm::clamp(glm::ivec2(glm::floor(*readout.at * glm::dvec2(readout.size))),
                              glm::ivec2(0), readout.size - 1);
-  readout.other.reset();
-  readout.ours.reset();
-  const auto value_in = [&](const Texture& picture) {
-    const std::uint8_t* const v = picture.texel(readout.pixel.x, readout.pixel.y);
-    return PixelValue{v[0], v[1], v[2]};
+  readout.values = {};
+  const auto read = [&](Role role, const Texture& picture) {
+    if (glm::ivec2(picture.width, picture.height) == readout.size) {
+      const std::uint8_t* const v = picture.texel(readout.pixel.x, readout.pixel.y);
+      readout.values[static_cast<std::size_t>(role)] = PixelValue{v[0], v[1], v[2]};
+    }
   };
-  if (shows_traced(session) && session.traced->complete &&
-      glm::ivec2(session.traced->picture.width, session.traced->picture.height) == readout.size) {
-    readout.ours = value_in(session.traced->picture);
+  if (shows_traced(session) && session.traced->complete) {
+    read(Role::ours, session.traced->picture);
   }
-  if (is_comparable(session)) {
-    readout.other = value_in(*session.reference);
+  for (const Role role : {Role::reference, Role::mine}) {
+    const OtherPicture* const picture = picture_of(session, role);
+    if (picture != nullptr && is_comparable(session)) {
+      read(role, picture->decoded->texture);
+    }
   }
 }
 
@@ -177,9 +184,11 @@ std::string readout_text(const Session& session) {
   if (!session.selected_path.empty()) {
     text += session.selected_path + '\n';
   }
-  if (readout.other) {
-    const auto& [r, g, b] = *readout.other;
-    text += fmt::format("{} has {} {} {}\n", other_name(session), r, g, b);
+  for (const Role role : {Role::reference, Role::mine}) {
+    if (const auto& value = readout.values[static_cast<std::size_t>(role)]) {
+      const auto& [r, g, b] = *value;
+      text += fmt::format("{} has {} {} {}\n", role_name(session, role), r, g, b);
+    }
   }
   text += readout.terms.empty() ? "" : '\n' + readout.terms;
   text += session.cause.text.empty() ? "" : '\n' + session.cause.text;

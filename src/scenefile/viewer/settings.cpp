@@ -51,6 +51,7 @@ constexpr std::array setting_rows{
     row<&Settings::axes>("axes", 0, 1),
     row<&Settings::assignment_keys>("assignment_keys", 0, 1),
     row<&Settings::ray_tracing>("ray_tracing", 0, 1),
+    row<&Settings::linear_values>("linear_values", 0, 1),
     row<&Settings::samples>("samples", 1, 4096),
 };
 

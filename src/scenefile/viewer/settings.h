@@ -19,7 +19,8 @@ struct Settings {
   bool axes = false;             ///< draw axes, lights and the scene's camera over the picture
   bool assignment_keys = false;  ///< use keys and mouse of the assignment Realtime
   bool ray_tracing = false;
-  int samples = 16;  ///< per pixel, for the ray tracer
+  bool linear_values = false;  ///< pixels have values from 0 to 1, not from 0 to 255
+  int samples = 16;            ///< per pixel, for the ray tracer
 
   friend bool operator==(const Settings&, const Settings&) = default;
 };

@@ -42,6 +42,8 @@ constexpr std::array named_keys{
     NamedKey{GLFW_KEY_DELETE, "Delete"},
     NamedKey{GLFW_KEY_UP, "Up"},
     NamedKey{GLFW_KEY_DOWN, "Down"},
+    NamedKey{GLFW_KEY_LEFT, "Left"},
+    NamedKey{GLFW_KEY_RIGHT, "Right"},
     NamedKey{GLFW_KEY_TAB, "Tab"},
     NamedKey{GLFW_KEY_PAGE_UP, "Page Up"},
     NamedKey{GLFW_KEY_PAGE_DOWN, "Page Down"},
@@ -137,7 +139,7 @@ class Window {
   void on_key(const KeyPress& key, bool down);
   void on_pointer(const glm::dvec2& at);
   void on_button(int button, bool down, const KeyPress& with);
-  void on_wheel(double steps);
+  void on_wheel(double steps, bool into_picture);
   void on_drop(const std::vector<std::string>& paths);
   void stir() { frames_due_ = frames_after_event; }
 
@@ -297,7 +299,13 @@ WindowResult Window::open() {
 
 void Window::open_files() {
   if (!options_.reference.empty()) {
-    open_reference(session_, options_.reference);
+    open_picture(session_, options_.reference, Role::reference);
+  }
+  if (!options_.mine.empty()) {
+    open_picture(session_, options_.mine, Role::mine);
+  }
+  if (!options_.picture.empty()) {
+    open_picture(session_, options_.picture);
   }
   if (options_.scene.empty()) {
     open_start_panel(session_);
@@ -311,8 +319,9 @@ void Window::open_files() {
 void Window::install_callbacks() {
   glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
     of(w).pass_key(key, scancode, action, modifiers);
-    if (action != GLFW_REPEAT) {
-      of(w).on_key(key_press(key, scancode, modifiers), action == GLFW_PRESS);
+    const bool arrow = key >= GLFW_KEY_RIGHT && key <= GLFW_KEY_UP;  // repeats
+    if (action != GLFW_REPEAT || arrow) {
+      of(w).on_key(key_press(key, scancode, modifiers), action != GLFW_RELEASE);
     }
   });
   glfwSetCharCallback(window_, ImGui_ImplGlfw_CharCallback);
@@ -325,7 +334,7 @@ void Window::install_callbacks() {
   });
   glfwSetScrollCallback(window_, [](GLFWwindow* w, double x, double y) {
     ImGui_ImplGlfw_ScrollCallback(w, x, y);
-    of(w).on_wheel(y);
+    of(w).on_wheel(y, ImGui::GetIO().KeyCtrl);
   });
   glfwSetCursorEnterCallback(window_, ImGui_ImplGlfw_CursorEnterCallback);
   glfwSetWindowFocusCallback(window_, ImGui_ImplGlfw_WindowFocusCallback);
@@ -401,10 +410,10 @@ void Window::on_button(int button, bool down, const KeyPress& with) {
   }
 }
 
-void Window::on_wheel(double steps) {
+void Window::on_wheel(double steps, bool into_picture) {
   stir();
   if (!ImGui::GetIO().WantCaptureMouse) {
-    wheel_turned(session_, steps);
+    wheel_turned(session_, steps, into_picture);
   }
 }
 
@@ -442,7 +451,7 @@ bool Window::do_step(const ScriptStep& step) {
       on_button(step.number, step.kind == StepKind::press, {});
       return true;
     case StepKind::wheel:
-      on_wheel(step.y);
+      on_wheel(step.y, false);
       return true;
     case StepKind::drop:
       on_drop({step.text});
@@ -559,6 +568,7 @@ GuiFrame Window::gui_frame() const {
   frame.scene = canvas_->drawn().name();
   frame.traced = canvas_->traced().name();
   frame.reference = canvas_->reference().name();
+  frame.mine = canvas_->mine().name();
   frame.difference = canvas_->difference().name();
   frame.flip = canvas_->flip().name();
   frame.thumbnail = [this](const std::string& path) { return canvas_->thumbnail(path); };
@@ -639,10 +649,10 @@ WindowResult Window::run() {
       break;
     }
     if (wants_picture(session_)) {
-      canvas_->ask_for_reference(session_);
+      canvas_->ask_to_compare(session_);
     }
-    if (std::optional<Texture> ours = canvas_->take_for_reference(session_)) {
-      compare_with(session_, *std::move(ours));
+    if (std::optional<Texture> ours = canvas_->take_to_compare(session_)) {
+      compare_ours(session_, *std::move(ours));
     }
     if (frames_due_ > 0) {
       --frames_due_;

@@ -28,7 +28,9 @@ struct WindowOptions {
   /// A file, a folder, - for standard input; empty: a panel to choose one; a file that does not
   /// exist: a new scene.
   std::string scene;
-  std::string reference;            ///< a picture to compare with; empty: none
+  std::string reference;  ///< pictures to compare with; empty: none
+  std::string mine;
+  std::string picture;              ///< its role is not known
   std::string settings;             ///< path of the settings file; empty: settings are not kept
   std::optional<glm::ivec2> size;   ///< of the window; default: as remembered
   std::optional<bool> ray_tracing;  ///< at the start; default: as remembered

@@ -136,6 +136,18 @@ TEST(Edits, ARenamedTemplateKeepsItsInstances) {
                          "name=\"leg\"", "name=\"a &quot;leg&quot;\""));
 }
 
+TEST(Edits, InJsonAnObjectsOwnGroupIsRemovedWithIt) {
+  const auto remove = [](const Document& document) {
+    return remove_item(document, nth(document, ItemKind::primitive));
+  };
+  const std::string edited = after_edit(scene_json, remove);
+  EXPECT_THAT(edited, Not(HasSubstr("ball")));
+  EXPECT_THAT(edited, HasSubstr("directional"));
+  const std::string two =
+      with(scene_json, "{\"type\": \"sphere\"", "{\"type\": \"cube\"}, {\"type\": \"sphere\"");
+  EXPECT_THAT(after_edit(two, remove), HasSubstr("ball")) << "the group has another object";
+}
+
 TEST(Edits, ATemplateInUseStays) {
   EXPECT_THAT(after_edit(scene_xml,
                          [](const Document& document) {

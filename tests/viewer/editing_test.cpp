@@ -211,7 +211,7 @@ TEST_F(EditingTest, GlobalDataAndAnUnwrittenCameraHaveFields) {
   const std::size_t from = text().find("<cameradata>");
   const std::size_t to = text().find("<lightdata>");
   folder.write("b.xml", text().substr(0, from) + text().substr(to));
-  session.editing.saved = session.editing.text;  // as if it had been saved
+  perform(session, Action::save);
   open_scene(session, folder.path("b.xml"));
   settle();
   select_label("camera");
@@ -269,6 +269,67 @@ TEST_F(EditingTest, AChangedFileReplacesTheEditsIfWanted) {
   EXPECT_EQ(text(), file());
   EXPECT_FALSE(has_unsaved_edits(session));
   EXPECT_NEAR(scene().materials[0].diffuse.r, 1, 1e-6);
+}
+
+TEST_F(EditingTest, QuittingGoesOnAfterAConflict) {
+  select_label("sphere");
+  drag_value("diffuse", 0, "0.5");
+  perform(session, Action::quit);
+  folder.write("a.xml", testing::scene_text + "<!-- an hour of work -->");
+  answer("Save");
+  EXPECT_FALSE(session.quit) << "the file has changed";
+  answer("Cancel");
+  EXPECT_FALSE(session.quit);
+  perform(session, Action::quit);
+  answer("Save");
+  answer("Replace its changes by mine");
+  EXPECT_TRUE(session.quit);
+  EXPECT_THAT(file(), HasSubstr(R"(r="0.5")"));
+}
+
+TEST_F(EditingTest, AChangeOfTheFileDoesNotReplaceTheQuestionBeforeQuitting) {
+  select_label("sphere");
+  drag_value("diffuse", 0, "0.5");
+  perform(session, Action::quit);
+  folder.write("a.xml", testing::scene_text + "<!-- an hour of work -->");
+  settle();
+  answer("Decide when I save");
+  EXPECT_FALSE(session.quit);
+  answer("Discard");
+  EXPECT_TRUE(session.quit);
+  EXPECT_THAT(file(), HasSubstr("an hour of work"));
+}
+
+TEST_F(EditingTest, ALightThatGetsItsTypeBackGetsItsPositionBack) {
+  select_label("point light");
+  const auto set_type = [&](const std::string& type) {
+    const EditInProgress* const edit = begin_edit(session, 1);
+    ASSERT_NE(edit, nullptr);
+    const FieldView view = field(edit->before, edit->item, "type");
+    const std::vector<std::optional<std::string>> typed{type};
+    continue_edit(session, edit_of_field(session, edit->before, edit->item, view, typed));
+    finish_edit(session);
+    settle();
+  };
+  set_type("directional");
+  EXPECT_THAT(text(), Not(HasSubstr("<position")));
+  set_type("spot");
+  EXPECT_THAT(text(), HasSubstr(R"(<position x="0" y="3" z="3"/>)"));
+  set_type("point");
+  EXPECT_THAT(text(), HasSubstr(R"(<position x="0" y="3" z="3"/>)"));
+  for (int i = 0; i < 3; ++i) {
+    perform(session, Action::undo);
+  }
+  EXPECT_EQ(text(), testing::scene_text);
+}
+
+TEST_F(EditingTest, AFailureToSaveNamesAnotherWay) {
+  select_label("sphere");
+  drag_value("diffuse", 0, "0.5");
+  finish_edit(session);
+  session.path = folder.path("none/a.xml");
+  perform(session, Action::save);
+  EXPECT_THAT(session.notice->text, HasSubstr("Ctrl+Shift+S saves it elsewhere"));
 }
 
 TEST_F(EditingTest, NothingIsLostWithoutAQuestion) {

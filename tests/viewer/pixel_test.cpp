@@ -191,6 +191,28 @@ TEST_F(PixelTest, TermsFollowThePanelOfRealtime) {
   EXPECT_THAT(session.readout.terms, Not(HasSubstr("parameter")));
 }
 
+TEST_F(PixelTest, LinesNameRowsOfTheOutline) {
+  const std::vector<OutlineRow>& rows = session.shown->outline.rows;
+  const auto label = [&](const std::string& line) {
+    const std::optional<std::uint32_t> row = row_named_in(session, line);
+    return row ? rows[*row].label : "none";
+  };
+  const auto line_of = [&](const std::string& name) {
+    return std::find_if(
+               rows.begin(), rows.end(),
+               [&](const OutlineRow& row) { return row.label == name && row.source != no_index; })
+        ->location.line;
+  };
+  EXPECT_EQ(label(fmt::format("│ ├ hits cube root/#2 (line {}) at t = 6.2", line_of("cube"))),
+            "cube");
+  EXPECT_EQ(label(fmt::format("├ point light (line {}) 0.22", line_of("point light"))),
+            "point light");
+  EXPECT_EQ(label(fmt::format("hits root/#3 > spike/#1 (line {})", line_of("cone"))), "cone");
+  EXPECT_EQ(label("hits cube root/#2 (line 1000)"), "none");
+  EXPECT_EQ(label(fmt::format("point light (line {})", line_of("cube"))), "none");
+  EXPECT_EQ(label("├ samples 1"), "none");
+}
+
 TEST_F(PixelTest, AnotherSceneClosesIt) {
   click(140, 150);
   settle();

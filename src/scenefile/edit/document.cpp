@@ -591,6 +591,10 @@ std::span<const SceneItem> Document::items() const {
   return state_->items;
 }
 
+double number_of(const FieldPart& part) {
+  return parse_number(part.value).value;
+}
+
 std::optional<ItemId> Document::item_at(std::uint32_t offset) const {
   std::optional<ItemId> best;
   for (ItemId id = 0; id < items().size(); ++id) {

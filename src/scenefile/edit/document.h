@@ -96,6 +96,9 @@ struct FieldPart {
   TextRange place;  ///< in the text, with escapes and the quotes of JSON; if written
 };
 
+/// The number that the part has; of text that is not one, what it begins with, or 0.
+double number_of(const FieldPart& part);
+
 /// A field of an item.
 struct FieldView {
   std::string_view name;   ///< in the file's dialect, such as "heightangle"

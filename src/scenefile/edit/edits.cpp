@@ -122,7 +122,7 @@ class Editor {
       return edit_of(renamed(item, *values[0]));
     }
     if (item.kind == ItemKind::light && field.name == "type") {
-      return edit_of(retyped(item, field, *values[0]));
+      return edit_of(retyped(item, field, *values[0], {}));
     }
     std::vector<TextChange> changes = value_changes(item, field, values);
     if (item.kind == ItemKind::primitive && field.title == shape_field.title) {
@@ -496,12 +496,24 @@ class Editor {
     return id;
   }
 
+  Values values_in(std::span<const FieldView> known, const FieldWord& word) const {
+    Values values;
+    for (const FieldView& field : known) {
+      if (field.name == word.name(syntax_.xml)) {
+        for (const FieldPart& part : field.parts) {
+          values.emplace_back(part.value);
+        }
+      }
+    }
+    return values;
+  }
+
   LightUse use_of(const FieldWord& word, std::string_view type) const {
     return light_use(word.name(syntax_.xml), type, syntax_.xml);
   }
 
   std::vector<TextChange> retyped(const SceneItem& item, const FieldView& field,
-                                  const std::string& type) const {
+                                  const std::string& type, std::span<const FieldView> known) const {
     std::vector<TextChange> changes = value_changes(item, field, {type});
     std::vector<PartId> unused;
     std::vector<std::pair<const FieldWord*, Values>> missing;
@@ -519,8 +531,8 @@ class Editor {
       if (present != no_part && !use.effective) {
         unused.push_back(present);
       } else if (present == no_part && use.needed) {
-        missing.push_back(
-            {word, word->kind == FieldKind::id ? Values{std::to_string(free_id())} : Values{}});
+        missing.push_back({word, word->kind == FieldKind::id ? Values{std::to_string(free_id())}
+                                                             : values_in(known, *word)});
       }
     }
     std::size_t first = 0;
@@ -989,6 +1001,15 @@ Result<Edit> set_value(const Document& document, ItemId item, const FieldView& f
   return set_values(document, item, field, values);
 }
 
+Result<Edit> set_light_type(const Document& document, ItemId item, const FieldView& field,
+                            std::string_view type, std::span<const FieldView> known) {
+  const Result<std::string> value = parse_value(field, 0, type);
+  if (!value) {
+    return value.error();
+  }
+  return edit_of(Editor(document).retyped(document[item], field, *value, known));
+}
+
 Result<Edit> remove_value(const Document& document, ItemId item, const FieldView& field) {
   if (!field.written) {
     return input_error("the file does not give this value");
@@ -1187,7 +1208,13 @@ Result<Edit> add_item(const Document& document, std::optional<ItemId> near, cons
   return Editor(document).add(near, what);
 }
 
-Result<Edit> remove_item(const Document& document, ItemId id) {
+Result<Edit> remove_item(const Document& document, ItemId selected) {
+  // In JSON, the group around a single object or light is only its place.
+  const ItemId around = document[selected].parent;
+  const bool alone =
+      !document.is_xml() && around != no_item && document[selected].kind != ItemKind::group &&
+      document[around].kind == ItemKind::group && document[around].children.size() == 1;
+  const ItemId id = alone ? around : selected;
   const SceneItem& item = document[id];
   if (is_fixed(item)) {
     return input_error("every scene needs it");

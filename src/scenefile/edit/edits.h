@@ -29,6 +29,10 @@ Result<Edit> set_value(const Document& document, ItemId item, const FieldView& f
 /// The same for several parts at once; nullopt leaves a part as it is. At least one is given.
 Result<Edit> set_values(const Document& document, ItemId item, const FieldView& field,
                         std::span<const std::optional<std::string>> typed);
+/// Sets the type of a light. It loses the fields that have no effect on the new type, and gets
+/// those that this one needs, with the values of `known` where that has them.
+Result<Edit> set_light_type(const Document& document, ItemId item, const FieldView& field,
+                            std::string_view type, std::span<const FieldView> known = {});
 /// Removes a field from the file. If the item needs it, reading then assumes its default.
 Result<Edit> remove_value(const Document& document, ItemId item, const FieldView& field);
 /// Adds a transform ("translate", "rotate", "scale", "matrix") with these values, or without effect

@@ -71,10 +71,6 @@ const FieldView* named(const std::vector<FieldView>& fields, std::string_view na
   return found == fields.end() ? nullptr : &*found;
 }
 
-double number_of(const FieldPart& part) {
-  return parse_number(part.value).value;
-}
-
 // A number with few digits.
 std::string tidy(double number) {
   return number_text(

@@ -58,9 +58,17 @@ std::string text_of_new_scene(const std::string& path) {
 }
 
 void set_text(Session& session, std::string text) {
-  session.editing.text = std::move(text);
-  ++session.editing.version;
+  Editing& editing = session.editing;
+  editing.text = std::move(text);
+  editing.differs = editing.text != editing.saved;
+  ++editing.version;
   load_edited_text(session);
+}
+
+// The file has these contents now.
+void note_saved(Editing& editing, std::string text) {
+  editing.saved = std::move(text);
+  editing.differs = editing.text != editing.saved;
 }
 
 // Where the selection is after an edit.
@@ -148,10 +156,13 @@ std::string file_text(const Session& session, const std::string& path) {
 // Returns false if it fails.
 bool write_text(Session& session, const std::string& path) {
   if (const Result<void> written = write_file(path, session.editing.text); !written) {
-    say(session, "cannot save the scene: " + written.error().text, true);
+    say(session,
+        fmt::format("cannot save the scene: {}; Ctrl+Shift+S saves it elsewhere",
+                    written.error().text),
+        true);
     return false;
   }
-  session.editing.saved = session.editing.text;
+  note_saved(session.editing, session.editing.text);
   session.editing.new_file = false;
   say(session, "saved: " + escaped(path));
   return true;
@@ -214,14 +225,14 @@ void start_editing(Session& session, std::string text) {
     forget_edits(session);
     editing.text = std::move(text);
   }
-  editing.saved = editing.text;
+  note_saved(editing, editing.text);
   editing.new_file = false;
 }
 
 bool has_unsaved_edits(const Session& session) {
   const Editing& editing = session.editing;
   return editing.new_file || editing.progress ||
-         (!(editing.done.empty() && editing.undone.empty()) && editing.text != editing.saved);
+         (!(editing.done.empty() && editing.undone.empty()) && editing.differs);
 }
 
 bool shows_edited_text(const Session& session) {
@@ -251,7 +262,15 @@ std::optional<ItemId> selected_item(Session& session) {
         item_of_row(*document, session.shown->outline.rows[*session.selected]);
     editing.part = item ? std::optional(part_of(*document, *item)) : std::nullopt;
   }
-  return editing.part ? item_of_part(*document, *editing.part) : std::nullopt;
+  if (!editing.part) {
+    return std::nullopt;
+  }
+  if (editing.found_in != editing.version || editing.found_part != *editing.part) {
+    editing.found_in = editing.version;
+    editing.found_part = *editing.part;
+    editing.found = item_of_part(*document, *editing.part);
+  }
+  return editing.found;
 }
 
 std::optional<std::uint32_t> row_of_selected_item(Session& session) {
@@ -321,6 +340,22 @@ void continue_edit(Session& session, const Result<Edit>& edit) {
   set_text(session, applied(editing.progress->before.text(), *edit));
 }
 
+Result<Edit> edit_of_field(Session& session, const Document& document, ItemId item,
+                           const FieldView& field,
+                           std::span<const std::optional<std::string>> typed) {
+  if (document[item].kind != ItemKind::light || field.name != "type" || !typed[0]) {
+    return set_values(document, item, field, typed);
+  }
+  std::vector<FieldView>& known = session.editing.light_fields;
+  for (FieldView& now : document.fields(item)) {
+    if (now.written) {
+      std::erase_if(known, [&](const FieldView& old) { return old.name == now.name; });
+      known.push_back(std::move(now));
+    }
+  }
+  return set_light_type(document, item, field, *typed[0], known);
+}
+
 void finish_edit(Session& session) {
   Editing& editing = session.editing;
   if (editing.progress && !editing.progress->edit.changes.empty()) {
@@ -357,7 +392,7 @@ void new_scene(Session& session, const std::string& path) {
   before_losing_edits(session, [path](Session& s) {
     s.path = path;
     start_editing(s, text_of_new_scene(path));
-    s.editing.saved.clear();
+    note_saved(s.editing, {});
     s.editing.new_file = true;
     s.start.opening = true;
     load_edited_text(s);
@@ -402,33 +437,35 @@ void before_losing_edits(Session& session, std::function<void(Session&)> then) {
     then(session);
     return;
   }
-  const auto save = [then](Session& s, const std::string&) {
-    save_scene(s);
-    if (!has_unsaved_edits(s)) {
-      then(s);
-    }
-  };
-  const auto lose = [then](Session& s, const std::string&) {
-    forget_edits(s);
-    then(s);
-  };
+  session.after_saving = std::move(then);
   session.question = Question{scene_name(session) + " has edits that are not saved.",
-                              {{"Save", save}, {"Discard", lose}, {"Cancel", {}}}};
+                              {{"Save", [](Session& s, const std::string&) { save_scene(s); }},
+                               {"Discard", [](Session& s, const std::string&) { forget_edits(s); }},
+                               {"Cancel", {}}}};
 }
 
 void ask_about_changed_file(Session& session, std::string text) {
   const auto read = [text](Session& s, const std::string&) { replace_edits(s, text); };
-  const auto keep = [text](Session& s, const std::string&) { s.editing.saved = text; };
+  const auto keep = [text](Session& s, const std::string&) { note_saved(s.editing, text); };
+  const auto later = [](Session&, const std::string&) {};
   session.question = Question{scene_name(session) + " has been changed by another program.",
                               {{"Keep my edits: saving will replace its changes", keep},
                                {"Read it, and lose my edits", read},
-                               {"Decide when I save", {}}}};
+                               {"Decide when I save", later}}};
 }
 
 void answer_question(Session& session, std::size_t answer) {
   const Question question = *std::exchange(session.question, std::nullopt);
-  if (answer < question.answers.size() && question.answers[answer].act) {
+  const bool acts = answer < question.answers.size() && question.answers[answer].act;
+  if (acts) {
     question.answers[answer].act(session, question.path.value_or(""));
+  }
+  if (session.question) {
+    return;  // it comes first
+  }
+  const std::function<void(Session&)> then = std::exchange(session.after_saving, {});
+  if (acts && then) {
+    before_losing_edits(session, then);  // asks again if there still are some
   }
 }
 

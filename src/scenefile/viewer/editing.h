@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct Session;
 struct EditedPart {
   ItemKind kind = ItemKind::group;  ///< only looked at for global data and the camera
   std::uint32_t from = 0;
+
+  friend bool operator==(const EditedPart&, const EditedPart&) = default;
 };
 
 /// An edit that was made, its inverse, and the selection before and after.
@@ -43,6 +46,7 @@ struct EditInProgress {
 struct Editing {
   std::string text;           ///< as edited
   std::string saved;          ///< the contents of the file, as last read or written
+  bool differs = false;       ///< `text` from `saved`
   bool new_file = false;      ///< nothing has been read or written yet
   std::uint64_t version = 0;  ///< changes with `text`; SceneOnShow::text_version says what is shown
   std::vector<EditStep> done;
@@ -53,13 +57,19 @@ struct Editing {
   std::optional<Document> document;
   std::string refusal;       ///< why there is none
   std::uint64_t opened = 0;  ///< the version of the text that was tried
+  // Cached: the item of a part of the document; of version 0, which no text has: none.
+  EditedPart found_part;
+  std::uint64_t found_in = 0;
+  std::optional<ItemId> found;
+  /// Fields that the selected light had before its type was changed; it may be changed back.
+  std::vector<FieldView> light_fields;
 };
 
 /// Something to decide before anything else is done. The last answer changes nothing: Escape.
 struct Question {
   struct Answer {
     std::string label;
-    /// Empty: nothing happens. `path`: the one that was asked for.
+    /// Empty: nothing happens, also not Session::after_saving. `path`: the one that was asked for.
     std::function<void(Session&, const std::string& path)> act;
   };
   std::string text;
@@ -96,6 +106,11 @@ const EditInProgress* begin_edit(Session& session, int of);
 inline constexpr int edit_by_handle = -1;
 /// Replaces the edit in progress by this edit of its document `before`.
 void continue_edit(Session& session, const Result<Edit>& edit);
+/// The edit that sets some parts of a field, where a light that gets its type back gets its fields
+/// back, too.
+Result<Edit> edit_of_field(Session& session, const Document& document, ItemId item,
+                           const FieldView& field,
+                           std::span<const std::optional<std::string>> typed);
 /// Ends the edit in progress, if there is one: it can be undone from now on.
 void finish_edit(Session& session);
 /// Reverts the edit in progress.
@@ -112,7 +127,8 @@ void new_scene(Session& session, const std::string& path);
 void save_scene(Session& session);
 /// Asks for a path, and saves the text there. `path`: a proposal; `wrong`: what was wrong with it.
 void ask_where_to_save(Session& session, const std::string& path, const std::string& wrong = {});
-/// Does `then` at once if there are no unsaved edits; otherwise asks, and maybe saves.
+/// Does `then` at once if there are no unsaved edits; otherwise asks, and maybe saves. Questions
+/// that come in between do not change that.
 void before_losing_edits(Session& session, std::function<void(Session&)> then);
 /// The file was read again, with other contents than were last read or written, while there are
 /// unsaved edits: asks which to keep.

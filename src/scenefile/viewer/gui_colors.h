@@ -17,6 +17,7 @@ inline constexpr unsigned color_line = 0x34383f;
 inline constexpr unsigned color_text = 0xe2e4e8;
 inline constexpr unsigned color_dim = 0x8d939e;
 inline constexpr unsigned color_accent = 0xff9e3d;  ///< selection
+inline constexpr unsigned color_link = 0xa8c7fa;
 inline constexpr unsigned color_error = 0xff6b64;
 inline constexpr unsigned color_warning = 0xf2c14e;
 inline constexpr unsigned color_good = 0x7fc97f;

@@ -1,5 +1,6 @@
 // The fields of the selection, and questions.
 
+#include "scenefile/base/number.h"
 #include "scenefile/base/text.h"
 #include "scenefile/viewer/files_to_choose.h"
 #include "scenefile/viewer/gui.h"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <vector>
 
 namespace scenefile::viewer {
@@ -20,34 +20,34 @@ namespace {
 
 using Typed = std::vector<std::optional<std::string>>;
 
-double value_of(const FieldPart& part) {
-  return std::strtod(part.value.c_str(), nullptr);
-}
-
 std::string typed_number(double value) {
   return fmt::format("{:.6g}", value);
 }
 
-// How much a number changes per pixel that it is dragged.
+// How much a number changes per pixel that it is dragged. A drag over the panel's width crosses a
+// range of colors or angles, and doubles other numbers, whatever their size; near 0, where nothing
+// tells their size, it changes them by a few units.
 float drag_speed(const FieldPart& part, double value) {
-  if (std::isfinite(part.range.low) && std::isfinite(part.range.high) && part.range.high <= 360) {
-    return static_cast<float>((part.range.high - part.range.low) / 400);
+  constexpr double drag = 400;  // pixels
+  const NumberRange& range = part.range;
+  if (std::isfinite(range.low) && std::isfinite(range.high) && range.high <= 360) {
+    return static_cast<float>((range.high - range.low) / drag);
   }
-  return static_cast<float>(std::max(0.01, std::abs(value) / 200));
+  return static_cast<float>(std::max(4.0, std::abs(value)) / drag);
 }
 
 /// The widgets of one field. An edit of the selected item begins with the first change and ends
 /// when no widget is active.
 class FieldRow {
  public:
-  FieldRow(Session& session, const FieldView& field, std::size_t index)
-      : session_(session), field_(field), index_(index) {}
+  /// `label`: the width of the titles.
+  FieldRow(Session& session, const FieldView& field, std::size_t index, float label)
+      : session_(session), field_(field), index_(index), label_(label) {}
 
   void build() {
     ImGui::PushID(static_cast<int>(index_));
     ImGui::AlignTextToFramePadding();
-    const float label = std::floor(0.36F * ImGui::GetContentRegionAvail().x);
-    const std::string title = fitting(std::string(field_.title), label - 4);
+    const std::string title = fitting(std::string(field_.title), label_ - 8);
     if (field_.effective) {
       ImGui::TextUnformatted(title.c_str());
     } else {
@@ -58,7 +58,7 @@ class FieldRow {
                         std::string(field_.name).c_str(),
                         field_.effective ? "" : ": has no effect on this type of light");
     }
-    ImGui::SameLine(label);
+    ImGui::SameLine(label_);
     const float cross = field_.needed ? 0 : ImGui::GetFrameHeight();
     width_ = ImGui::GetContentRegionAvail().x - cross - (cross > 0 ? 4 : 0);
     build_value();
@@ -121,14 +121,15 @@ class FieldRow {
     const FieldView& before = fields[index_];
     for (std::size_t i = 0; i < typed.size(); ++i) {
       const FieldPart& part = before.parts[i];
-      if (typed[i] && part.is_number && std::strtod(typed[i]->c_str(), nullptr) == value_of(part)) {
+      if (typed[i] && part.is_number && parse_number(*typed[i]).value == number_of(part)) {
         typed[i].reset();
       }
     }
     const bool none = std::none_of(typed.begin(), typed.end(),
                                    [](const auto& value) { return value.has_value(); });
-    continue_edit(session_, none ? Result<Edit>(Edit{})
-                                 : set_values(edit->before, edit->item, before, typed));
+    continue_edit(session_, none
+                                ? Result<Edit>(Edit{})
+                                : edit_of_field(session_, edit->before, edit->item, before, typed));
   }
 
   Typed only(std::size_t part, std::string value) const {
@@ -144,7 +145,7 @@ class FieldRow {
     const float left = ImGui::GetCursorPosX();
     for (std::size_t i = first; i < std::min(first + count, field_.parts.size()); ++i) {
       const FieldPart& part = field_.parts[i];
-      double value = value_of(part);
+      double value = number_of(part);
       ImGui::PushID(static_cast<int>(i));
       ImGui::SetNextItemWidth(each);
       const double low = std::isfinite(part.range.low) ? part.range.low : -1e30;
@@ -170,7 +171,7 @@ class FieldRow {
   void build_color() {
     std::array<float, 3> color{};
     for (std::size_t i = 0; i < 3; ++i) {
-      color[i] = static_cast<float>(value_of(field_.parts[i]));
+      color[i] = static_cast<float>(number_of(field_.parts[i]));
     }
     ImGui::SetNextItemWidth(width_);
     if (ImGui::ColorEdit3(
@@ -178,7 +179,7 @@ class FieldRow {
             ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoOptions)) {
       Typed typed;
       for (std::size_t i = 0; i < 3; ++i) {
-        const double now = value_of(field_.parts[i]);
+        const double now = number_of(field_.parts[i]);
         typed.emplace_back(color[i] == static_cast<float>(now)
                                ? typed_number(now)
                                : fmt::format("{:.4g}", std::max(color[i], 0.0F)));
@@ -261,8 +262,20 @@ class FieldRow {
   Session& session_;
   const FieldView& field_;
   std::size_t index_;
+  float label_;
   float width_ = 0;
 };
+
+// As wide as the longest title, but most of the panel is for values.
+float label_width(const std::vector<FieldView>& fields) {
+  float width = 0;
+  for (const FieldView& field : fields) {
+    if (field.written) {
+      width = std::max(width, ImGui::CalcTextSize(std::string(field.title).c_str()).x);
+    }
+  }
+  return std::floor(std::min(width + 10, 0.42F * ImGui::GetContentRegionAvail().x));
+}
 
 std::string title_of(const NewItem& what) {
   switch (what.kind) {
@@ -395,10 +408,11 @@ void build_name(const Session& session, const OutlineRow& row) {
     ImGui::TextDisabled("%s:%u:%u", escaped(shown_name(session), 60).c_str(), row.location.line,
                         row.location.column);
   }
-  if (!session.selected_path.empty()) {
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextDisabled("%s", escaped(session.selected_path, 300).c_str());
-    ImGui::PopTextWrapPos();
+  // Always one line, so that the fields below stay where they are.
+  const std::string path = escaped(session.selected_path, 300);
+  ImGui::TextDisabled("%s", fitting(path, ImGui::GetContentRegionAvail().x).c_str());
+  if (!path.empty() && ImGui::IsItemHovered()) {
+    ImGui::SetTooltip("%s", path.c_str());
   }
 }
 
@@ -440,9 +454,12 @@ void build_object(Session& session, const GuiFrame& /*frame*/) {
   }
   ImGui::Spacing();
   ImGui::PushID(static_cast<int>(item.value_or(no_item)));
+  // In XML, the group around an object is its transblock, which has only transforms.
+  const bool block = row.kind == RowKind::group && item && document[*item].kind != ItemKind::group;
+  const float label = label_width(fields);
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (fields[i].written) {
-      FieldRow(session, fields[i], i).build();
+    if (fields[i].written && (fields[i].transform || !block)) {
+      FieldRow(session, fields[i], i, label).build();
     }
   }
   ImGui::PopID();

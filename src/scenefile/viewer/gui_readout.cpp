@@ -13,8 +13,9 @@ namespace scenefile::viewer {
 
 namespace {
 
-// Wraps each line; what continues it starts where its text does, after the branches of the tree.
-void build_lines(const std::string& text) {
+// Wraps each line; what continues it starts where its text does, after the branches of the tree. A
+// click on a line that names an object or light selects it.
+void build_lines(Session& session, const std::string& text) {
   constexpr std::size_t most = 1000;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
@@ -27,7 +28,18 @@ void build_lines(const std::string& text) {
     }
     ImGui::TextUnformatted(line.c_str(), line.c_str() + branches);
     ImGui::SameLine(0, 0);
+    const bool links = line.find(" (line ") != std::string::npos;
+    ImGui::PushStyleColor(ImGuiCol_Text, rgba(links ? color_link : color_text));
     ImGui::TextWrapped("%s", line.c_str() + branches);
+    ImGui::PopStyleColor();
+    if (links && ImGui::IsItemHovered()) {
+      ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+      if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        if (const std::optional<std::uint32_t> row = row_named_in(session, line)) {
+          select(session, row);
+        }
+      }
+    }
   }
 }
 
@@ -44,16 +56,16 @@ void build_swatch(const char* name, const PixelValue& value) {
   ImGui::TextUnformatted(fmt::format("{} {} {}", value[0], value[1], value[2]).c_str());
 }
 
-void build_answers(const Session& session) {
+void build_answers(Session& session) {
   const PixelReadout& readout = session.readout;
   ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[1]);
   if (session.mine.exists()) {
     ImGui::TextDisabled("why mine differs from %s:",
                         session.reference.exists() ? "the reference" : "ours");
-    build_lines(cause_text(session));
+    build_lines(session, cause_text(session));
     ImGui::Spacing();
   }
-  build_lines(readout.terms.empty() ? "computing ..." : readout.terms);
+  build_lines(session, readout.terms.empty() ? "computing ..." : readout.terms);
   ImGui::PopFont();
 }
 
@@ -76,8 +88,10 @@ void build_readout(Session& session) {
   if (!readout.at) {
     ImGui::TextUnformatted("pixel");
   } else {
-    ImGui::Text("pixel %d, %d of %d x %d", readout.pixel.x, readout.pixel.y, readout.size.x,
-                readout.size.y);
+    const std::string title = fmt::format("pixel {}, {} of {} x {}", readout.pixel.x,
+                                          readout.pixel.y, readout.size.x, readout.size.y);
+    const float buttons = 6.5F * ImGui::GetFontSize();
+    ImGui::TextUnformatted(fitting(title, ImGui::GetContentRegionAvail().x - buttons).c_str());
     ImGui::SameLine();
     if (ImGui::SmallButton("Copy")) {
       perform(session, Action::copy);

@@ -30,7 +30,7 @@ const FieldView* find_field(const std::vector<FieldView>& fields, std::string_vi
 glm::dvec3 vector_of(const FieldView& field) {
   glm::dvec3 v(0);
   for (std::size_t i = 0; i < 3 && i < field.parts.size(); ++i) {
-    v[static_cast<int>(i)] = std::strtod(field.parts[i].value.c_str(), nullptr);
+    v[static_cast<int>(i)] = number_of(field.parts[i]);
   }
   return v;
 }
@@ -151,7 +151,7 @@ Result<Edit> edit_light(const Session& session, const GraspedHandle& grasped, bo
     return Edit{};
   }
   if (!turns) {
-    const double angle = std::strtod(field->parts[0].value.c_str(), nullptr);
+    const double angle = number_of(field->parts[0]);
     const double wanted = std::clamp(angle * factor_of(session, grasped), 0.5, 180.0);
     return set_value(progress.before, progress.item, *field, 0,
                      number_text(steps ? std::round(wanted) : wanted));

@@ -301,6 +301,7 @@ void show_only_light(Session& session, std::optional<std::uint32_t> light) {
 void select(Session& session, std::optional<std::uint32_t> row, std::vector<std::uint32_t> copy) {
   finish_edit(session);
   session.editing.part.reset();
+  session.editing.light_fields.clear();
   session.keyboard_in_fields = session.keyboard_in_fields && row;
   session.selected = row;
   session.selected_path.clear();

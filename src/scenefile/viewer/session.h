@@ -192,6 +192,7 @@ struct Session {
   // Editing.
   Editing editing;
   std::optional<Question> question;
+  std::function<void(Session&)> after_saving;  ///< what before_losing_edits() has asked for
   Handles handles = Handles::move;
   std::optional<GraspedHandle> grasped;  ///< while Drag::handle
   bool keyboard_in_fields = false;       ///< the keyboard belongs to the fields of the selection
@@ -281,6 +282,8 @@ void read_pixel(Session& session, const std::optional<glm::dvec2>& at);
 void locate_pixel(Session& session);
 /// Call after any change of the pictures or how they are drawn, except of the camera.
 void forget_cause(Session& session);
+/// The row of the object or light that a line of the readout names: "root/#2 (line 29)".
+std::optional<std::uint32_t> row_named_in(const Session& session, std::string_view line);
 /// Why mine differs, or that it is not known yet.
 std::string cause_text(const Session& session);
 /// The readout as text for copying: values, terms and cause, as far as they are known.

@@ -1,5 +1,7 @@
 // The clicked pixel.
 
+#include "scenefile/base/number.h"
+#include "scenefile/explain/object_names.h"
 #include "scenefile/viewer/hidden.h"
 #include "scenefile/viewer/session.h"
 
@@ -147,6 +149,36 @@ void locate_pixel(Session& session) {
       read(role, picture->decoded->texture);
     }
   }
+}
+
+std::optional<std::uint32_t> row_named_in(const Session& session, std::string_view line) {
+  constexpr std::string_view mark = " (line ";
+  const std::size_t at = line.rfind(mark);
+  if (at == std::string_view::npos || session.shown == nullptr) {
+    return std::nullopt;
+  }
+  const std::string_view name = line.substr(0, at);
+  const double number =
+      parse_number(line.substr(at + mark.size(), line.find(')', at) - at - mark.size())).value;
+  const OpenedScene& opened = session.shown->opened;
+  const ObjectNames names(opened.written, opened.ready.sources);
+  const std::vector<OutlineRow>& rows = session.shown->outline.rows;
+  for (std::uint32_t i = 0; i < rows.size(); ++i) {
+    const OutlineRow& row = rows[i];
+    if (row.location.line != number || row.source == no_index) {
+      continue;
+    }
+    const Source& source = opened.ready.sources[row.source];
+    const std::string own =
+        row.kind == RowKind::light
+            ? fmt::format("{} light",
+                          word_of(opened.written.nodes[source.node].lights[source.index].type))
+            : names.at(row.source).path;
+    if (name.ends_with(own)) {
+      return i;
+    }
+  }
+  return std::nullopt;
 }
 
 void forget_cause(Session& session) {

@@ -9,7 +9,7 @@ namespace scenefile::viewer {
 struct Settings {
   int window_width = 1280;  ///< screen coordinates
   int window_height = 800;
-  float panel_width = 330;  ///< of the outline, in pixels of a normal-density screen
+  float panel_width = 390;  ///< of the outline, in pixels of a normal-density screen
   float text_scale = 1;     ///< in addition to the screen's scale
   bool outline = true;      ///< visible panels
   bool messages = true;

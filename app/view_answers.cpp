@@ -35,11 +35,13 @@ DrawnWay way_of(const viewer::CauseQuestion& question) {
 std::vector<DrawnWay> ways_to_fit(const viewer::FitQuestion& question, const Options& options) {
   const std::vector<DrawnWay> all = compare_settings(options).ways;
   std::vector<DrawnWay> ways = folder_first(question.path, all);
-  if (question.is_reference || options.realtime) {
-    return ways;
+  if (!question.is_reference && !options.realtime) {
+    ways.resize(ways.front().words == all.front().words ? 0 : 1);
+    for (DrawnWay& way : possible_ways(possible_profiles(options), true)) {
+      ways.push_back(std::move(way));
+    }
   }
-  return ways.front().words != all.front().words ? std::vector<DrawnWay>{ways.front()}
-                                                 : possible_ways(possible_profiles(options), true);
+  return ways;
 }
 
 DrawnWay fitting_way(const viewer::FitQuestion& question, const LoadedScene& scene,

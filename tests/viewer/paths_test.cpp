@@ -239,15 +239,6 @@ TEST_F(PathsTest, AnySceneCanBePathTraced) {
   EXPECT_EQ(session.traced->picture.rgb, rendered(6, render_camera(session.camera)).rgb);
 }
 
-TEST_F(PathsTest, ThumbnailsAreNotBlack) {
-  const Thumbnail thumbnail =
-      make_thumbnail(session.setup.load, folder.write("a.xml", box_text), [] { return true; });
-  EXPECT_EQ(thumbnail.wrong, "");
-  ASSERT_FALSE(thumbnail.picture.empty());
-  EXPECT_GT(*thumbnail.picture.texel(thumbnail.picture.width / 2, thumbnail.picture.height / 2),
-            50);
-}
-
 TEST_F(PathsTest, CanBeDestroyedAtAnyTime) {
   const std::string path = folder.write("a.xml", box_text);
   for (int i = 0; i < 20; ++i) {

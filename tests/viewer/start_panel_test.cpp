@@ -7,13 +7,10 @@
 #include "scenefile/io/folder.h"
 #include "scenefile/viewer/recent_files.h"
 #include "scenefile/viewer/session.h"
-#include "viewer/test_scene.h"
+#include "viewer/session_fixture.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <chrono>
-#include <thread>
 
 namespace scenefile::viewer {
 
@@ -43,24 +40,7 @@ struct StartPanelTest : ::testing::Test {
     session.pixels = {40, 30};
   }
 
-  // Draws no frames: thumbnails are wanted as the panel would want them.
-  void settle() {
-    for (int i = 0; i < testing::patience; ++i) {
-      if (session.start.open) {
-        for (const Choice& choice : session.start.choices) {
-          if (choice.kind == ChoiceKind::scene) {
-            session.thumbnails.find(choice.path);
-          }
-        }
-      }
-      if (i > 20 && settled(session)) {
-        return;
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      tick(session, time += 0.05);
-    }
-    ADD_FAILURE() << "not settled";
-  }
+  void settle() { testing::settle(session, time); }
 
   TempFolder folder;
   std::string scene = folder.write("scenes/b.xml", testing::scene_text);
@@ -162,31 +142,6 @@ TEST_F(StartPanelTest, APictureBecomesTheReference) {
   choose(session, picture);
   settle();
   EXPECT_EQ(session.mine.decoded->texture.width, 8);
-}
-
-TEST_F(StartPanelTest, Thumbnails) {
-  const std::string broken = folder.write("scenes/broken.xml", "<scenefile>");
-  folder.write("scenes/large.xml", std::string(thumbnail_file_bytes + 1, ' '));
-  open_start_panel(session);
-  choose(session, folder.path("scenes"));
-  EXPECT_EQ(session.thumbnails.find(scene), nullptr);
-  settle();
-  const Thumbnail* const thumbnail = session.thumbnails.find(scene);
-  ASSERT_NE(thumbnail, nullptr);
-  EXPECT_EQ(thumbnail->wrong, "");
-  ASSERT_EQ(thumbnail->picture.width, thumbnail_width);
-  ASSERT_EQ(thumbnail->picture.height, thumbnail_height);
-  // The sphere on the left is red, the cube on the right green.
-  const std::uint8_t* const left = thumbnail->picture.texel(38, 48);
-  const std::uint8_t* const right = thumbnail->picture.texel(90, 48);
-  EXPECT_GT(left[0], 2 * left[1]);
-  EXPECT_GT(right[1], 2 * right[0]);
-  ASSERT_NE(session.thumbnails.find(broken), nullptr);
-  EXPECT_THAT(session.thumbnails.find(broken)->wrong, HasSubstr("errors"));
-  EXPECT_THAT(session.thumbnails.find(folder.path("scenes/large.xml"))->wrong, HasSubstr("large"));
-  folder.write("scenes/broken.xml", testing::scene_text);
-  session.thumbnails.check_files();
-  EXPECT_EQ(session.thumbnails.find(broken), nullptr) << "the file has changed";
 }
 
 TEST_F(StartPanelTest, WorksWithoutAScene) {

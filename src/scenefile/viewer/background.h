@@ -15,9 +15,16 @@ class Background {
  public:
   bool busy() const { return future_.valid(); }
 
-  /// Must not be called while busy().
-  void start(std::function<Result()> work) {
-    future_ = std::async(std::launch::async | std::launch::deferred, std::move(work));
+  /// Must not be called while busy(). `wake` is called on the other thread after the work.
+  void start(std::function<Result()> work, std::function<void()> wake = {}) {
+    future_ = std::async(std::launch::async | std::launch::deferred,
+                         [work = std::move(work), wake = std::move(wake)] {
+                           Result result = work();
+                           if (wake) {
+                             wake();
+                           }
+                           return result;
+                         });
   }
 
   /// Returns the result, once; nullopt if it is not ready, unless `wait`. Rethrows std::bad_alloc.

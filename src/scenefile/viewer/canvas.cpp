@@ -150,27 +150,12 @@ bool Canvas::update(Session& session, bool whole) {
     done = done &&
            (!picture->exists() || shown->show(picture->decoded->texture, picture->version, texels));
   }
-  update_thumbnails(session.thumbnails);
   if (session.comparison) {
     const Comparison& found = *session.comparison;
     done = done && difference_.show(found.difference, session.comparison_version, texels);
     done = done && flip_.show(found.flip, session.comparison_version, texels);
   }
   return done;
-}
-
-void Canvas::update_thumbnails(const Thumbnails& thumbnails) {
-  const std::map<std::string, Thumbnail>& all = thumbnails.all();
-  std::erase_if(thumbnails_, [&](const auto& entry) { return !all.contains(entry.first); });
-  for (const auto& [path, thumbnail] : all) {
-    thumbnails_[path].show(thumbnail.picture,
-                           static_cast<std::uint64_t>(thumbnail.stamp.modified_ns));
-  }
-}
-
-unsigned Canvas::thumbnail(const std::string& path) const {
-  const auto found = thumbnails_.find(path);
-  return found == thumbnails_.end() ? 0 : found->second.name();
 }
 
 void Canvas::ask_to_compare(const Session& session) {

@@ -6,7 +6,6 @@
 #include "scenefile/viewer/scene_painter.h"
 #include "scenefile/viewer/session.h"
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -49,15 +48,12 @@ class Canvas {
   const GlPicture& mine() const { return mine_; }
   const GlPicture& difference() const { return difference_; }
   const GlPicture& flip() const { return flip_; }
-  /// The name of a thumbnail's texture; 0: there is none.
-  unsigned thumbnail(const std::string& path) const;
   const DrawStats& stats() const { return painted_.stats; }
   /// For drawing the last picture.
   double seconds() const { return painted_.seconds; }
   const std::string& renderer() const { return painter_->renderer(); }
 
  private:
-  void update_thumbnails(const Thumbnails& thumbnails);
   int hurry_for(const Session& session, bool moving) const;
   /// `hurry`: 0 for the best picture, 1 for one sample per pixel, and each further step halves the
   /// resolution.
@@ -78,7 +74,6 @@ class Canvas {
   GlPicture mine_;
   GlPicture difference_;
   GlPicture flip_;
-  std::map<std::string, GlPicture> thumbnails_;
 };
 
 }  // namespace scenefile::viewer

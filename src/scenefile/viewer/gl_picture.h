@@ -20,9 +20,6 @@ class GlPicture {
   /// `texels` at most: a larger picture is shown after several calls. Returns whether it is shown.
   bool show(const Texture& picture, std::uint64_t version, std::size_t texels = ~std::size_t{0});
 
-  /// The version of the current picture.
-  std::uint64_t version() const { return version_; }
-
   /// The texture's name; 0 before the first picture.
   unsigned name() const { return name_; }
 

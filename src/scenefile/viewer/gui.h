@@ -29,8 +29,6 @@ struct GuiFrame {
   unsigned mine = 0;
   unsigned difference = 0;
   unsigned flip = 0;
-  /// Of the thumbnail of a file.
-  std::function<unsigned(const std::string& path)> thumbnail;
 };
 
 /// Sets colors and spacing for this screen density.

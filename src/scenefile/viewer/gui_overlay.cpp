@@ -96,8 +96,12 @@ void paint_split(const Session& session, const GuiFrame& frame) {
   }
   const double top = box.at.y + 10 * frame.scale;
   const Sides sides = sides_of(session);
-  paint_label({x - 12 * frame.scale, top}, role_name(session, sides.left), {1, 0}, frame.scale);
-  paint_label({x + 12 * frame.scale, top}, role_name(session, sides.right), {0, 0}, frame.scale);
+  const auto name = [&](Role role, double room) {
+    return fitting(role_name(session, role), static_cast<float>(room - 34 * frame.scale));
+  };
+  paint_label({x - 12 * frame.scale, top}, name(sides.left, x - box.at.x), {1, 0}, frame.scale);
+  paint_label({x + 12 * frame.scale, top}, name(sides.right, box.at.x + box.size.x - x), {0, 0},
+              frame.scale);
 }
 
 // What the pictures are.
@@ -105,7 +109,8 @@ void paint_names(const Session& session, const GuiFrame& frame) {
   const glm::dvec2 corner = glm::dvec2(12, 10) * frame.scale;
   const Sides sides = sides_of(session);
   const auto write = [&](const Box& box, const std::string& text) {
-    paint_label(box.at + corner, text, {0, 0}, frame.scale, color_text, box.size.x);
+    const double room = box.size.x - 34 * frame.scale;
+    paint_label(box.at + corner, fitting(text, static_cast<float>(room)), {0, 0}, frame.scale);
   };
   switch (session.compare) {
     case CompareView::split:

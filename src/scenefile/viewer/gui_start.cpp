@@ -1,4 +1,4 @@
-// The panel that opens scenes: recent files on the left, a folder with thumbnails on the right.
+// The panel that opens scenes: recent files on the left, a folder on the right.
 
 #include "scenefile/base/text.h"
 #include "scenefile/io/folder.h"
@@ -25,76 +25,6 @@ void heading(const char* text) {
   ImGui::TextUnformatted(text);
   ImGui::PopStyleColor();
 }
-
-/// The picture of a scene with its name below, which can be clicked.
-class Tile {
- public:
-  Tile(Session& session, const GuiFrame& frame) : session_(session), frame_(frame) {}
-
-  glm::dvec2 picture_size() const {
-    return glm::dvec2(thumbnail_width, thumbnail_height) * frame_.scale;
-  }
-  float width() const { return static_cast<float>(picture_size().x + 2 * margin()); }
-
-  // Returns true if it was clicked.
-  bool build(const Choice& choice) const {
-    ImGui::PushID(choice.path.c_str());
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float height =
-        static_cast<float>(picture_size().y + 3 * margin()) + ImGui::GetTextLineHeight();
-    const bool clicked = ImGui::Selectable("##tile", false, 0, {width(), height});
-    if (ImGui::IsItemVisible()) {
-      paint(choice, at);
-    }
-    if (ImGui::IsItemHovered()) {
-      ImGui::SetTooltip("%s", hint(choice).c_str());
-    }
-    ImGui::PopID();
-    return clicked;
-  }
-
- private:
-  double margin() const { return 6 * frame_.scale; }
-
-  std::string hint(const Choice& choice) const {
-    const Thumbnail* const thumbnail =
-        choice.kind == ChoiceKind::scene ? session_.thumbnails.find(choice.path) : nullptr;
-    const std::string name = escaped(choice.path, 400);
-    return thumbnail == nullptr || thumbnail->wrong.empty()
-               ? name
-               : fmt::format("{}\n{}", name, escaped(thumbnail->wrong, 300));
-  }
-
-  void paint(const Choice& choice, const ImVec2& at) const {
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const glm::dvec2 begin = glm::dvec2(at.x, at.y) + margin();
-    const glm::dvec2 end = begin + picture_size();
-    draw.AddRectFilled(vec(begin), vec(end), rgba(0x141518), 3);
-    paint_picture(choice, begin, end);
-    draw.AddText(vec({begin.x, end.y + margin()}), rgba(color_text),
-                 fitting(escaped(choice.name, 200), static_cast<float>(picture_size().x)).c_str());
-  }
-
-  void paint_picture(const Choice& choice, const glm::dvec2& begin, const glm::dvec2& end) const {
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const Thumbnail* const thumbnail = session_.thumbnails.find(choice.path);
-    const unsigned name = frame_.thumbnail(choice.path);
-    if (thumbnail != nullptr && thumbnail->wrong.empty() && name != 0) {
-      draw.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(name)), vec(begin),
-                    vec(end));
-      return;
-    }
-    const bool wrong = thumbnail != nullptr && !thumbnail->wrong.empty();
-    const std::string text = fitting(wrong ? escaped(thumbnail->wrong, 100) : "...",
-                                     static_cast<float>(picture_size().x));
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    draw.AddText(vec((begin + end - glm::dvec2(size.x, size.y)) * 0.5),
-                 rgba(wrong ? color_warning : color_dim), text.c_str());
-  }
-
-  Session& session_;
-  const GuiFrame& frame_;
-};
 
 // Returns the chosen path; empty: none.
 std::string build_recent(const Session& session) {
@@ -133,44 +63,25 @@ std::string build_field(StartPanel& panel) {
   return entered && !panel.typed.empty() ? typed_path(panel, std::getenv("HOME")) : std::string();
 }
 
-std::string build_tiles(Session& session, const GuiFrame& frame) {
-  const Tile tile(session, frame);
-  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-  std::string chosen;
-  float next = 0;  // where the next tile would end
-  for (const Choice& choice : session.start.choices) {
-    if (choice.kind != ChoiceKind::scene) {
-      continue;
-    }
-    if (next != 0 && next < right) {
-      ImGui::SameLine();
-    }
-    if (tile.build(choice)) {
-      chosen = choice.path;
-    }
-    next = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + tile.width();
-  }
-  return chosen;
-}
-
-std::string build_lines(const StartPanel& panel, ChoiceKind kind) {
+std::string build_choices(const StartPanel& panel) {
+  static constexpr std::array<const char*, 3> ends{"/", "", "  (to compare with)"};
   std::string chosen;
   for (const Choice& choice : panel.choices) {
-    if (choice.kind == kind) {
-      ImGui::PushID(choice.path.c_str());
-      const std::string name =
-          escaped(choice.name, 200) + (kind == ChoiceKind::folder ? "/" : "  (to compare with)");
-      if (ImGui::Selectable(name.c_str())) {
-        chosen = choice.path;
-      }
-      ImGui::PopID();
+    ImGui::PushID(choice.path.c_str());
+    const std::string name =
+        escaped(choice.name, 200) + ends[static_cast<std::size_t>(choice.kind)];
+    ImGui::PushStyleColor(ImGuiCol_Text,
+                          rgba(choice.kind == ChoiceKind::scene ? color_text : color_dim));
+    if (ImGui::Selectable(name.c_str())) {
+      chosen = choice.path;
     }
+    ImGui::PopStyleColor();
+    ImGui::PopID();
   }
   return chosen;
 }
 
-std::string build_folder(Session& session, const GuiFrame& frame) {
-  StartPanel& panel = session.start;
+std::string build_folder(StartPanel& panel) {
   heading("Folder");
   ImGui::SameLine();
   ImGui::TextUnformatted(
@@ -180,10 +91,8 @@ std::string build_folder(Session& session, const GuiFrame& frame) {
   if (ImGui::Selectable("../")) {
     chosen = folder_of(panel.folder);
   }
-  for (const std::string& path :
-       {build_lines(panel, ChoiceKind::folder), build_tiles(session, frame),
-        build_lines(panel, ChoiceKind::picture)}) {
-    chosen = path.empty() ? chosen : path;
+  if (const std::string path = build_choices(panel); !path.empty()) {
+    chosen = path;
   }
   if (panel.choices.empty()) {
     ImGui::TextDisabled("%s", "there are no scenes here");
@@ -226,7 +135,7 @@ void build_start(Session& session, const GuiFrame& frame, const Box& room) {
   ImGui::EndChild();
   ImGui::SameLine(0, static_cast<float>(16 * frame.scale));
   ImGui::BeginChild("folder");
-  if (const std::string path = build_folder(session, frame); !path.empty()) {
+  if (const std::string path = build_folder(session.start); !path.empty()) {
     chosen = path;
   }
   ImGui::EndChild();

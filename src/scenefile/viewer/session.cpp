@@ -65,11 +65,10 @@ void start_comparison(Session& session, std::shared_ptr<const Texture> ours) {
                : std::shared_ptr<const Texture>(picture->decoded, &picture->decoded->texture);
   };
   session.comparing.start(
-      [sides, left = texture(sides.left), right = texture(sides.right), wake = session.setup.wake] {
-        Comparison comparison = compare_pictures(sides, *left, *right);
-        wake();
-        return comparison;
-      });
+      [sides, left = texture(sides.left), right = texture(sides.right)] {
+        return compare_pictures(sides, *left, *right);
+      },
+      session.setup.wake);
 }
 
 bool wants_comparison(const Session& session) {
@@ -221,12 +220,10 @@ bool settled(const Session& session) {
   const bool comparing = session.compare != CompareView::off && session.shown != nullptr &&
                          is_comparable(session) &&
                          (!session.compare_started || session.comparing.busy());
-  const bool thumbnails = session.start.open && session.thumbnails.busy();
   return !session.loading.busy() && !session.load_again && session.pictures.empty() &&
          !session.fitting.busy() && !(session.fit_wanted && session.shown != nullptr) && !tracing &&
-         !comparing && !thumbnails && !session.readout.explaining.busy() &&
-         !session.cause.finding.busy() && (!session.readout.at || session.readout.asked) &&
-         session.held.empty();
+         !comparing && !session.readout.explaining.busy() && !session.cause.finding.busy() &&
+         (!session.readout.at || session.readout.asked) && session.held.empty();
 }
 
 double next_tick(const Session& session) {
@@ -249,8 +246,7 @@ double next_tick(const Session& session) {
     seconds = std::min(seconds, flicker_seconds - std::fmod(session.now, flicker_seconds));
   }
   if (session.comparing.busy() || session.loading.busy() || session.reading.busy() ||
-      session.fitting.busy() || session.thumbnails.busy() || session.readout.explaining.busy() ||
-      session.cause.finding.busy()) {
+      session.fitting.busy() || session.readout.explaining.busy() || session.cause.finding.busy()) {
     seconds = std::min(seconds, 0.05);
   }
   return std::max(seconds, 0.01);

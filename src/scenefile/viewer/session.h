@@ -23,7 +23,6 @@
 #include "scenefile/viewer/pixel_readout.h"
 #include "scenefile/viewer/settings.h"
 #include "scenefile/viewer/start_panel.h"
-#include "scenefile/viewer/thumbnails.h"
 
 #include <glm/glm.hpp>
 
@@ -199,7 +198,6 @@ struct Session {
   bool keyboard_was_in_fields = false;   ///< in the last frame
 
   StartPanel start;
-  Thumbnails thumbnails;
 
   // The window.
   bool help = false;

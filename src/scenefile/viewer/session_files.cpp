@@ -64,12 +64,10 @@ void start_loading(Session& session, bool from_file) {
   if (std::exchange(session.load_file, false)) {
     request.text.reset();
   }
-  session.loading.start([load_scene = session.setup.load, request = std::move(request),
-                         version = session.editing.version, wake = session.setup.wake] {
-    std::shared_ptr<SceneOnShow> scene = load(load_scene, request, version);
-    wake();
-    return scene;
-  });
+  session.loading.start(
+      [load_scene = session.setup.load, request = std::move(request),
+       version = session.editing.version] { return load(load_scene, request, version); },
+      session.setup.wake);
 }
 
 void watch_files(Session& session, const SceneOnShow& scene) {
@@ -298,12 +296,9 @@ ReadPicture read_picture(const std::string& path, const std::string& layer) {
 
 void read_next_picture(Session& session) {
   if (!session.pictures.empty() && !session.reading.busy()) {
-    session.reading.start([path = session.pictures.front().path, layer = session.setup.layer,
-                           wake = session.setup.wake] {
-      ReadPicture read = read_picture(path, layer);
-      wake();
-      return read;
-    });
+    session.reading.start([path = session.pictures.front().path,
+                           layer = session.setup.layer] { return read_picture(path, layer); },
+                          session.setup.wake);
   }
 }
 
@@ -366,11 +361,8 @@ void start_fit(Session& session) {
       [question =
            FitQuestion{
                {session.shown, &session.shown->opened}, picture.path, picture.decoded, right},
-       fit = session.setup.fit_picture, wake = session.setup.wake] {
-        std::optional<PictureFit> found = fit(question);
-        wake();
-        return found;
-      });
+       fit = session.setup.fit_picture] { return fit(question); },
+      session.setup.wake);
 }
 
 void accept(Session& session, const PictureFit& fit) {
@@ -400,8 +392,7 @@ void accept(Session& session, const PictureFit& fit) {
 }  // namespace
 
 bool tick_files(Session& session) {
-  bool news = (session.start.open || session.thumbnails.busy()) &&
-              session.thumbnails.tick(session.setup.load, session.setup.wake);
+  bool news = false;
   if (std::optional<std::shared_ptr<SceneOnShow>> loaded = session.loading.take()) {
     accept(session, std::move(*loaded));
     news = true;
@@ -471,19 +462,16 @@ void open_start_panel(Session& session) {
   session.start.recent = load_recent_files(session.setup.recent_files);
   const bool in_folder = !session.path.empty() && session.path != "-";
   go_to_folder(session.start, in_folder ? folder_of(session.path) : session.start.folder);
-  session.thumbnails.check_files();
 }
 
 void close_start_panel(Session& session) {
   session.start.open = false;
   session.start.opening = false;
-  session.thumbnails.stop();
 }
 
 void choose(Session& session, const std::string& path) {
   session.notice.reset();  // about an earlier choice
   if (is_folder(path)) {
-    session.thumbnails.stop();
     go_to_folder(session.start, path);
   } else if (!stamp_of(path).exists) {
     say(session, path + ": there is no such file", true);

@@ -37,12 +37,9 @@ void ask_for_terms(Session& session) {
   if (session.realtime) {
     question.realtime = session.realtime_panel;
   }
-  readout.explaining.start([question = std::move(question), explain = session.setup.explain_pixel,
-                            wake = session.setup.wake] {
-    std::string text = explain(question);
-    wake();
-    return text;
-  });
+  readout.explaining.start([question = std::move(question),
+                            explain = session.setup.explain_pixel] { return explain(question); },
+                           session.setup.wake);
 }
 
 // Whether the window draws what the file says, apart from the camera.
@@ -72,12 +69,11 @@ void ask_for_cause(Session& session) {
     question.realtime = session.realtime_panel;
     question.ours = session.compared;
   }
-  cause.finding.start([question = std::move(question), find = session.setup.find_cause,
-                       stopped = cause.stopped, wake = session.setup.wake] {
-    std::string text = find(question, [&] { return !*stopped; });
-    wake();
-    return text;
-  });
+  cause.finding.start(
+      [question = std::move(question), find = session.setup.find_cause, stopped = cause.stopped] {
+        return find(question, [&] { return !*stopped; });
+      },
+      session.setup.wake);
 }
 
 }  // namespace

@@ -571,7 +571,6 @@ GuiFrame Window::gui_frame() const {
   frame.mine = canvas_->mine().name();
   frame.difference = canvas_->difference().name();
   frame.flip = canvas_->flip().name();
-  frame.thumbnail = [this](const std::string& path) { return canvas_->thumbnail(path); };
   return frame;
 }
 

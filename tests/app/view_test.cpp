@@ -210,8 +210,8 @@ TEST_F(View, ComparesWithAReference) {
   EXPECT_GT(count(split, 255, 255, 255), 300) << "the line of the split";
   // The reference is our own picture, so nothing differs.
   const Texture difference = picture("difference.png");
-  EXPECT_EQ(color_at(split, sphere_x + 20, middle_y), 'r');
-  EXPECT_EQ(color_at(difference, sphere_x + 20, middle_y), '.');
+  EXPECT_EQ(color_at(split, sphere_x + 50, middle_y), 'r');
+  EXPECT_EQ(color_at(difference, sphere_x + 50, middle_y), '.');
 }
 
 TEST_F(View, ReferenceAndMineAreComparedAsByDiff) {
@@ -228,7 +228,7 @@ TEST_F(View, ReferenceAndMineAreComparedAsByDiff) {
   const ProgramRun run =
       view({path, "--reference", reference, "--mine", mine, "--script",
             folder.write("tour.txt",
-                         "settle\nkey Y\nframes 4\nclick 421 299\nsettle\nkey Ctrl+C\n"
+                         "settle\nkey Y\nframes 4\nclick 444 299\nsettle\nkey Ctrl+C\n"
                          "frames 2\ncopied " +
                              folder.path("copied.txt") +
                              "\nkey Y\nkey Shift+X\n"
@@ -306,7 +306,7 @@ TEST_F(View, ExplainsAClickedPixelAndItsCause) {
   const ProgramRun run =
       view({path, mine, "--profile", "course", "--script",
             folder.write("tour.txt",
-                         "settle\nkey Y\nframes 4\nclick 421 299\nsettle\nkey Ctrl+C\n"
+                         "settle\nkey Y\nframes 4\nclick 444 299\nsettle\nkey Ctrl+C\n"
                          "frames 2\ncopied " +
                              folder.path("copied.txt") + "\n" + shot("readout.png"))});
   EXPECT_EQ(run.status, 0) << run.err;

@@ -42,7 +42,7 @@ constexpr std::array action_rows{
     ActionRow{Action::hide_selected, "H", "Show", "hide the selection, or show it again"},
     ActionRow{Action::show_all, "Shift+H", "Show", "show everything"},
     ActionRow{Action::trace, "R", "Picture", "ray tracing when the camera rests"},
-    ActionRow{Action::realtime, "G", "Picture", "the assignment Realtime, with its panel"},
+    ActionRow{Action::realtime, "G", "Picture", "the assignment Realtime"},
     ActionRow{Action::zoom_in, "+", "Picture", "zoom in, up to the values of pixels"},
     ActionRow{Action::zoom_out, "-", "Picture", "zoom out"},
     ActionRow{Action::zoom_all, "0", "Picture", "all of the picture"},

@@ -2,6 +2,7 @@
 
 #include "app/load.h"
 #include "app/named_files.h"
+#include "app/option_table.h"
 #include "app/output.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/file.h"

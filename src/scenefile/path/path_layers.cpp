@@ -1,5 +1,6 @@
 #include "scenefile/path/path_layers.h"
 
+#include "scenefile/path/lamps.h"
 #include "scenefile/trace/denoise.h"
 #include "scenefile/trace/layers.h"
 #include "scenefile/trace/tiles.h"

@@ -10,7 +10,6 @@
 #include "scenefile/io/interrupt.h"
 #include "scenefile/verbs/grade_class.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,7 +37,12 @@ struct PageHeading {
 };
 
 // The date of today, or in UTC of SOURCE_DATE_EPOCH (reproducible-builds.org), if that is set.
+// Without <fmt/chrono.h>, which needs locales: the WebAssembly build has none.
 std::string date_of_report() {
+  const auto text = [](const std::tm& day) {
+    return fmt::format("{:04}-{:02}-{:02}", day.tm_year + 1900, day.tm_mon + 1, day.tm_mday);
+  };
+  std::tm day{};
   std::string digits;
   if (const char* const given = std::getenv("SOURCE_DATE_EPOCH")) {
     digits = given;
@@ -48,9 +52,11 @@ std::string date_of_report() {
   const auto [stop, error] = std::from_chars(digits.data(), end, seconds);
   constexpr std::int64_t year_10000 = 253402300800;
   if (error == std::errc() && stop == end && seconds >= 0 && seconds < year_10000) {
-    return fmt::format("{:%Y-%m-%d}", fmt::gmtime(static_cast<std::time_t>(seconds)));
+    const auto time = static_cast<std::time_t>(seconds);
+    return text(*::gmtime_r(&time, &day));
   }
-  return fmt::format("{:%Y-%m-%d}", fmt::localtime(std::time(nullptr)));
+  const std::time_t now = std::time(nullptr);
+  return text(*::localtime_r(&now, &day));
 }
 
 // Writes files, and removes those that did not exist before, with their folders, unless they are

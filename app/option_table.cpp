@@ -627,9 +627,7 @@ constexpr std::array option_rows{
               for_pictures, set_threshold<&Thresholds::max_mean, 255>},
     OptionRow{"--max-difference", "", "N",
               "Pictures differ if any value is off by more than this, in 1/255.", for_pictures,
-              [](Options& o, const std::string& v) {
-                return set_number(v, 0.0, 255.0, o.thresholds.max_difference);
-              }},
+              set_threshold<&Thresholds::max_difference, 255>},
     OptionRow{"--max-share", "", "PERCENT",
               "Pictures differ when more of the pixels are off by more than --pixel-threshold.",
               for_pictures, set_max_share},

@@ -364,6 +364,7 @@ ExitCode out_of_memory(const Context& context) {
 int main(int argc, char** argv) {
   using namespace scenefile::app;
   scenefile::handle_signals();
+  begin_output();
   Context context;
   context.command_line = argv;
   const std::span<const char* const> words{argv + std::min(argc, 1),

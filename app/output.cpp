@@ -1,6 +1,7 @@
 #include "app/output.h"
 
 #include "scenefile/io/file.h"
+#include "scenefile/io/interrupt.h"
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
@@ -78,6 +79,11 @@ void keep_error(std::string_view text) {
   } catch (const std::bad_alloc&) {
     // It was said.
   }
+}
+
+void begin_output() {
+  said_errors.clear();
+  use_standard_output(false);
 }
 
 const std::string& kept_errors() {

@@ -33,6 +33,8 @@ void say(std::string_view text);
 void say_error(std::string_view text);
 /// Keeps the text of an error that is printed in another way, or not at all.
 void keep_error(std::string_view text);
+/// Forgets what an earlier main() in this process wrote and kept.
+void begin_output();
 /// The errors that were kept, separated by "; ".
 const std::string& kept_errors();
 

@@ -12,10 +12,9 @@ import {
 } from '@codemirror/view';
 import { tags } from '@lezer/highlight';
 
-import { complete, correct, describe, isXml, offsetOf, wordEnd } from '../../bindings/npm/lib/words.js';
-import vocabulary from 'scenefile-vocabulary';
 import { h } from './dom.js';
 import { json, xml } from './languages.js';
+import { correct, isXml, offsetOf, wordEnd } from './places.js';
 
 const highlighting = HighlightStyle.define([
   { tag: [tags.tagName, tags.propertyName], color: 'var(--tag)' },
@@ -54,18 +53,19 @@ export class Editor {
   #hasCarriageReturns = false;
   #extensions;
 
-  constructor(parent, { changed, moved }) {
+  /** `engine`: resolves to the EditEngine. */
+  constructor(parent, { engine, changed, moved }) {
     const root = parent.attachShadow({ mode: 'open' });
     const box = h('div');
     box.style.height = '100%';
     root.append(box);
-    const source = (context) => {
+    const source = async (context) => {
       const text = context.state.doc.toString();
-      const found = complete(text, context.pos, vocabulary);
-      if (found === null || (!context.explicit && !/[\w<"/]/.test(text[context.pos - 1] ?? ''))) {
+      if (!context.explicit && !/[\w<"/]/.test(text[context.pos - 1] ?? '')) {
         return null;
       }
-      return {
+      const found = (await engine()).complete(text, context.pos);
+      return found.items.length === 0 ? null : {
         from: found.from,
         to: found.to,
         options: found.items.map(({ label, kind, about, insert }) => ({
@@ -87,14 +87,15 @@ export class Editor {
         validFor: /^[\w:."/-]*$/,
       };
     };
-    const hover = hoverTooltip((view, pos) => {
-      const found = describe(view.state.doc.toString(), pos, vocabulary);
+    const hover = hoverTooltip(async (view, pos) => {
+      const text = view.state.doc.toString();
+      const found = (await engine()).describe(text, pos);
       return found === null
         ? null
         : {
             pos: found.from,
             end: found.to,
-            create: () => ({ dom: h('div', { className: 'about' }, h('strong', {}, found.name), ' ', found.about) }),
+            create: () => ({ dom: h('div', { className: 'about' }, h('strong', {}, text.slice(found.from, found.to)), ' ', found.about) }),
           };
     });
     this.#extensions = [

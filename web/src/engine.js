@@ -5,8 +5,8 @@ const loadTimeout = 60_000; // milliseconds until the module must be loaded
 
 const compiled = new Map();
 
-// A module, loaded and compiled once for all workers.
-function moduleOf(name) {
+/** A module, loaded and compiled once. */
+export function moduleOf(name) {
   if (!compiled.has(name)) {
     const module = load(name);
     compiled.set(name, module);

@@ -48,7 +48,11 @@ const checker = new Engine();
 let panel = null; // EditPanel, once it has been shown
 let marks = null; // Marks, once something has been selected
 
+// What the text consists of and what can be written in it, loaded when it is first needed.
+const editEngine = async () => (await import('./edit/scene-text.js')).editEngine();
+
 const editor = new Editor(byId('editor'), {
+  engine: editEngine,
   changed: (changes) => {
     scene.version += 1;
     scene.unsafe = false;
@@ -487,8 +491,7 @@ byId('profile').addEventListener('change', () => {
   Object.assign(picture.options, { profile: Number(byId('profile').value), features: -1 });
   showOptions();
   saveSoon();
-  scene.version += 1;
-  run();
+  readAgain();
 });
 byId('mode').addEventListener('change', () => {
   const { value } = byId('mode');
@@ -513,10 +516,16 @@ byId('stop').addEventListener('click', async () => {
   store.end(scene.id);
   byId('progress').textContent = 'stopped';
 });
-byId('course-reading').addEventListener('change', () => {
+byId('course-reading').addEventListener('change', readAgain);
+
+// The text is read in another way.
+function readAgain() {
   scene.version += 1;
+  if (panelIsShown()) {
+    panel.update();
+  }
   run();
-});
+}
 
 // Comparing.
 
@@ -605,9 +614,9 @@ const panelIsShown = () => panel !== null && document.body.dataset.left === 'edi
 async function showPanel() {
   if (panel === null) {
     try {
-      const { EditPanel } = await import('./edit/panel.js');
+      const [{ EditPanel }, engine] = await Promise.all([import('./edit/panel.js'), editEngine()]);
       panel ??= new EditPanel({
-        text: () => editor.text,
+        model: () => engine.open(editor.text, readsLikeCourse()),
         change(changes) {
           panelIsChanging = true;
           try {
@@ -638,8 +647,7 @@ async function showPanel() {
 // as a whole.
 function panelFollows(changes) {
   if (panelIsShown() && !panelIsChanging) {
-    const place = panel.item?.from ?? 0;
-    panel.update(changes === null ? 0 : changes.mapPos(Math.max(0, Math.min(place, changes.length)), 1));
+    panel.update(changes === null ? 0 : changes.mapPos(Math.max(0, Math.min(panel.place, changes.length)), 1));
   }
 }
 
@@ -647,9 +655,10 @@ function panelFollows(changes) {
 
 async function mark(act) {
   try {
-    const { Marks } = await import('./marks.js');
+    const [{ Marks }, engine] = await Promise.all([import('./marks.js'), editEngine()]);
     marks ??= new Marks({
       text: () => editor.text,
+      model: () => engine.open(editor.text, readsLikeCourse()),
       picture,
       all: () => byId('helpers').checked,
       failed: (error) => byId('helpers').checked && failed(new Error(`Lights and camera cannot be shown: ${error.message}.`)),

@@ -1,9 +1,7 @@
 // Marks over the picture: the outline of the selected part of the text, and lines that show where
 // lights and camera are. Both come from the worker that draws with WebGL2.
 
-import fields from 'scenefile-fields';
 import { byId, h } from './dom.js';
-import { itemAt, modelOf } from './edit/model.js';
 import { along, depthOf, projection } from './projection.js';
 
 const colors = { selected: '#ff991a', light: '#ffe080', camera: '#d0d0d0' };
@@ -27,7 +25,7 @@ export class Marks {
   #helpers = null; // of the open scene
   #job = 0;
 
-  /** `host`: text(), picture, all() whether all lights are shown, failed(error). */
+  /** `host`: text(), model() of the text, picture, all() whether all lights are shown, failed(error). */
   constructor(host) {
     this.#host = host;
     byId('stage').append(this.#canvas);
@@ -35,8 +33,7 @@ export class Marks {
 
   /** Selects the innermost item at an offset of the text. */
   selectAt(offset) {
-    const model = modelOf(this.#host.text(), fields);
-    this.select(model.problem >= 0 ? null : itemAt(model, offset));
+    this.select(this.#host.model().itemAt(offset));
   }
 
   /** Selects an item of the text; null: none. */

@@ -220,7 +220,7 @@ test('opens a folder', async () => {
   const before = await drawnCount();
   await page.setInputFiles('#folder-input', join(root, 'scenes'));
   await drawn(page, before + 1);
-  assert.match(await page.textContent('#notices'), /2 scenes were opened/);
+  assert.match(await page.textContent('#notices'), /3 scenes were opened/);
 });
 
 test('a file can be dropped', async () => {
@@ -667,8 +667,37 @@ test('panels reject values out of range', async () => {
   await row('Camera').click();
   await field('Height angle').fill('200');
   await page.keyboard.press('Tab');
-  await page.waitForSelector('text=200 is out of range: it must be from 0 to 180, exclusive');
+  await page.waitForSelector('text=200 is out of range: it must be more than 0 and less than 180');
   assert.equal(await wholeText(), hello);
+});
+
+test('panels and completion count characters as the editor does', async () => {
+  await open();
+  const text = hello.replace('<scenefile>', '<!-- Gr\u00fc\u00dfe \u{1F600}\u{1F600} --><scenefile>');
+  await giveAndDraw({ 'scene.xml': text });
+  await openPanels();
+  await row('Camera').click();
+  await andDraw(() => field('Height angle').fill('50').then(() => page.keyboard.press('Tab')));
+  const edited = text.replace('heightangle v="35"', 'heightangle v="50"');
+  assert.equal(await wholeText(), edited);
+  await row('cube').click();
+  await andDraw(() => page.click('#edit-duplicate'));
+  await page.waitForFunction(() => document.getElementById('editor').shadowRoot.querySelector('.cm-activeLine').textContent.trim() === '<transblock>');
+  await andDraw(() => page.click('#edit-delete'));
+  assert.equal(await wholeText(), edited);
+});
+
+test('panels show what the reader reads', async () => {
+  const box = (shape) => `<object type="primitive" name="${shape}"/>`;
+  const two = hello.replace(/<object type="tree" name="root">[^]*<\/object>/,
+    `<object type="tree" name="root"><transblock>${box('cube')}${box('cone')}</transblock></object>`);
+  await open();
+  await giveAndDraw({ 'scene.xml': two });
+  await openPanels();
+  const kinds = async () => (await page.locator('#edit-tree [role=treeitem]').allInnerTexts()).slice(-2).map((text) => text.trim());
+  assert.deepEqual(await kinds(), ['▾ Scene', 'cube']);
+  await andDraw(() => page.selectOption('#profile', { label: 'course' }));
+  assert.deepEqual(await kinds(), ['cube', 'cone']);
 });
 
 test('panels add, duplicate, reorder, regroup and delete', async () => {

@@ -1,7 +1,7 @@
-// A client of the protocol.
+// A client of the protocol. What the server answers is tested with its room; here, that it can be reached.
 
 import assert from 'node:assert/strict';
-import { spawn } from 'node:child_process';
+import { spawn, spawnSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
@@ -117,92 +117,42 @@ test('a missing texture gives a finding, an existing one does not', async () => 
   assert.equal(missing.range.start.line, 4);
   mkdirSync(join(folder, 'image'));
   writeFileSync(join(folder, 'image/wall.png'), (await render(scene, { width: 2, height: 2, allowMissing: true })).png);
+  client.notify('textDocument/didSave', { textDocument: { uri } }); // files are read again
   assert.deepEqual(await open(`${scene}\n`), []);
 });
 
-test('columns count UTF-16 units', async () => {
+test('positions count UTF-16 units', async () => {
   const text = scene.replace('<blend', '<!-- \u{1F600} --><blnd');
   const wrong = (await open(text)).find((d) => d.code === 'xml.misspelled-element');
   const line = text.split('\n')[4];
   assert.equal(line.slice(wrong.range.start.character, wrong.range.end.character), '<blnd');
 });
 
-for (const [right, wrong, code] of [
-  ['transblock', 'transblok', 'xml.misspelled-transblock'],
-  ['lightdata', 'lightdat', 'xml.misspelled-element'],
-]) {
-  test(`a misspelled ${right} has a correction, in both tags`, async () => {
-    const text = scene.replaceAll(right, wrong);
-    const diagnostic = (await open(text)).find((d) => d.code === code);
-    const { result } = await client.request('textDocument/codeAction', {
-      textDocument: { uri },
-      range: diagnostic.range,
-      context: { diagnostics: [diagnostic] },
-    });
-    assert.equal(result.length, 1);
-    const lines = text.split('\n');
-    for (const { range, newText } of result[0].edit.changes[uri].reverse()) {
-      const old = lines[range.start.line];
-      lines[range.start.line] = old.slice(0, range.start.character) + newText + old.slice(range.end.character);
-    }
-    assert.equal(lines.join('\n'), scene);
-    const hover = await client.request('textDocument/hover', {
-      textDocument: { uri },
-      position: { line: diagnostic.range.start.line, character: diagnostic.range.start.character + 1 },
-    });
-    assert.ok(hover.result.contents.value.includes(code));
-  });
-}
-
-const at = (text, mark) => {
-  const before = text.slice(0, text.indexOf(mark)).split('\n');
-  return { line: before.length - 1, character: before.at(-1).length };
-};
-
-test('completes elements, attributes and values', async () => {
-  const labels = async (text) => {
-    await open(text.replace('|', ''));
-    const { result } = await client.request('textDocument/completion', { textDocument: { uri }, position: at(text, '|') });
-    return result.map(({ label }) => label);
-  };
-  assert.deepEqual((await labels(scene.replace('<id ', '<|id '))).slice(0, 3), ['id', 'color', 'function']);
-  assert.deepEqual(await labels(scene.replace('"sphere"', '"sphere" |')), ['filename', 'meshfile']);
-  assert.deepEqual(await labels(scene.replace('"directional"', '"|"')), ['point', 'directional', 'spot', 'area']);
-  assert.deepEqual(await labels('{"groups": [{"primitives": [{"type": "|"}]}]}'), ['"cube"', '"cone"', '"cylinder"', '"sphere"', '"mesh"']);
-  assert.ok((await labels('{"cameraData": {"|"}}')).includes('"heightAngle"'));
-});
-
-test('explains a word of the format', async () => {
+test('requests are answered while nothing is due', async () => {
   await open(scene);
-  const { result } = await client.request('textDocument/hover', { textDocument: { uri }, position: at(scene, 'transblock') });
-  assert.match(result.contents.value, /transform/i);
-});
-
-test('finds the template of an instance', async () => {
-  const text = scene.replace(
-    '  <object type="tree" name="root">',
-    '  <object type="tree" name="leg"/>\n  <object type="tree" name="root"><transblock><object type="master" name="leg"/></transblock>',
-  );
-  await open(text);
-  const { result } = await client.request('textDocument/definition', {
+  const { result } = await client.request('textDocument/completion', {
     textDocument: { uri },
-    position: { ...at(text, 'leg"/></trans'), character: at(text, 'leg"/></trans').character + 1 },
+    position: { line: 1, character: scene.split('\n')[1].indexOf('<id ') + 1 },
   });
-  assert.deepEqual(result.range.start, at(text, 'leg"/>\n'));
-});
-
-test('files of other programs get no findings', async () => {
-  assert.deepEqual(await open('<project><name>not a scene</name></project>'), []);
-  assert.deepEqual(await open('{"name": "package"}'), []);
-});
-
-test('formatting replaces the text', async () => {
-  await open(scene.replaceAll('\n', ''));
-  const { result } = await client.request('textDocument/formatting', { textDocument: { uri }, options: {} });
-  assert.ok(result[0].newText.split('\n').length > 4);
-});
-
-test('unknown methods are answered with an error', async () => {
-  const { error } = await client.request('textDocument/rename', {});
+  const labels = result.map(({ label }) => label);
+  assert.deepEqual(labels.slice(0, 3), ['id', 'color', 'function']);
+  const { error } = await client.request('textDocument/nothing', {});
   assert.equal(error.code, -32601);
+});
+
+test('a large answer arrives whole', async () => {
+  const text = scene.replace('</transblock>', `</transblock>\n${'<transblock><object type="primitive" name="cube"/></transblock>\n'.repeat(5000)}`);
+  await open(text);
+  const { result } = await client.request('textDocument/documentSymbol', { textDocument: { uri } });
+  assert.ok(JSON.stringify(result).length > 1_000_000);
+});
+
+test('the program ends with its client, and says what is not a message', () => {
+  const lsp = (input, words = []) => spawnSync(process.execPath, [program, 'lsp', ...words], { input, encoding: 'utf8' });
+  assert.equal(lsp('').status, 1);
+  const wrong = lsp('hello\r\n\r\n');
+  assert.equal(wrong.status, 1);
+  assert.match(wrong.stderr, /Content-Length/);
+  assert.equal(lsp('', ['--help']).status, 0);
+  assert.equal(lsp('', ['scene.xml']).status, 2);
 });

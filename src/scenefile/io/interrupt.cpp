@@ -136,8 +136,8 @@ bool used_standard_output() {
   return standard_output_used;
 }
 
-void use_standard_output() {
-  standard_output_used = true;
+void use_standard_output(bool used) {
+  standard_output_used = used;
 }
 
 DeferredSignals::DeferredSignals() : deferring_before_(deferring.exchange(true)) {}

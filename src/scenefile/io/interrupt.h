@@ -20,8 +20,9 @@ void end_after(double seconds, const std::string& message, const std::string& an
 
 /// Whether writing to standard output has begun.
 bool used_standard_output();
-/// To be called before writing to standard output, as write_file() does.
-void use_standard_output();
+/// To be called before writing to standard output, as write_file() does. `used`: false where main()
+/// begins, which can run more than once in a process under WebAssembly.
+void use_standard_output(bool used = true);
 
 /// While an object of this class exists, the first SIGINT, SIGTERM or SIGHUP gives the process
 /// nearly a second to save its state; after that, or at a second signal, it ends as usual. Can be

@@ -86,7 +86,7 @@ MessageEvent MessageReader::next(std::optional<double> seconds, std::string& bod
     std::array<char, 65536> buffer;
     const ssize_t count = ::read(STDIN_FILENO, buffer.data(), buffer.size());
     if (count > 0) {
-      read_.append(buffer.data(), static_cast<std::size_t>(count));
+      add({buffer.data(), static_cast<std::size_t>(count)});
     } else if (count == 0 || errno != EINTR) {
       return MessageEvent::end;
     }

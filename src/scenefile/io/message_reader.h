@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace scenefile {
 
@@ -15,16 +16,18 @@ enum class MessageEvent : std::uint8_t {
   broken,   ///< a header without a length, or with one above the limit
 };
 
-/// Reads messages from standard input.
 class MessageReader {
  public:
-  /// Waits for the next message, at most `seconds`; without a number, as long as it takes.
+  /// Waits for the next message of standard input, at most `seconds`; without a number, as long as
+  /// it takes.
   MessageEvent next(std::optional<double> seconds, std::string& body);
 
- private:
-  /// Takes a message from what was read; nullopt if it is not complete.
+  // For callers that read the input themselves.
+  void add(std::string_view bytes) { read_.append(bytes); }
+  /// Takes a message from what was added; nullopt if it is not complete.
   std::optional<MessageEvent> take(std::string& body);
 
+ private:
   std::string read_;
 };
 

@@ -3,7 +3,6 @@
 
 import { byId } from '../dom.js';
 import { along, depthOf, dot, projection } from '../projection.js';
-import { handleOf, moveItem, scaleItem, transformed, turnItem, worldOf } from './placing.js';
 
 const svgName = 'http://www.w3.org/2000/svg';
 const axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
@@ -11,6 +10,9 @@ const size = 0.22; // length of a handle, as a fraction of the picture's height
 const circle = Array.from({ length: 49 }, (_, i) => [Math.cos((i * Math.PI) / 24), Math.sin((i * Math.PI) / 24)]);
 const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [(i & 1) - 0.5, ((i >> 1) & 1) - 0.5, (i >> 2) - 0.5]);
 const edges = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
+
+/** `m`: 16 numbers, row by row; `w`: 1 for a point, 0 for a direction. */
+const transformed = (m, [x, y, z], w = 1) => [0, 4, 8].map((i) => m[i] * x + m[i + 1] * y + m[i + 2] * z + m[i + 3] * w);
 
 const unit = (v) => v.map((x) => x / (Math.hypot(...v) || 1));
 
@@ -61,7 +63,7 @@ export class Gizmo {
     }
     this.hide();
     const view = this.#host.view();
-    const handle = this.#item && handleOf(this.#model, this.#item);
+    const handle = this.#item && this.#model.handle(this.#item);
     byId('edit-handles').disabled = !handle;
     if (!handle || view === null || this.#how === 'none') {
       return;
@@ -79,22 +81,21 @@ export class Gizmo {
     const { origin } = handle;
     const center = project(origin);
     const outline = element('g', { class: 'outline' }, this.#svg);
-    const boxes = this.#item.kind === 'primitive' && this.#item.name !== 'mesh' ? [this.#item] : [];
-    for (const item of boxes) {
-      const places = corners.map((corner) => project(transformed(worldOf(this.#model, item), corner)));
+    if (this.#item.kind === 'primitive' && this.#item.name !== 'mesh') {
+      const places = corners.map((corner) => project(transformed(handle.world, corner)));
       for (const [a, b] of edges) {
         if (places[a] && places[b]) {
           element('line', { x1: places[a][0], y1: places[a][1], x2: places[b][0], y2: places[b][1] }, outline);
         }
       }
     }
-    if (center === null || (handle.position !== null && this.#how !== 'move')) {
+    if (center === null || (handle.light && this.#how !== 'move')) {
       return;
     }
     const depth = depthOf(view, origin);
     const length = 2 * size * depth * Math.tan(view.fov_y / 2);
     // Scaling acts along the object's own axes; moving and rotating use the axes of its parent.
-    const space = this.#how === 'scale' ? worldOf(this.#model, handle.item) : handle.space;
+    const space = this.#how === 'scale' ? handle.world : handle.space;
     axes.forEach((axis, i) => {
       const world = transformed(space, axis, 0);
       const direction = unit(world);
@@ -172,7 +173,7 @@ export class Gizmo {
     if (drag === null) {
       return;
     }
-    const { handle, axis, amount } = drag;
+    const { handle: { item }, axis, amount } = drag;
     if (event === null || amount === 0) {
       this.show();
       return;
@@ -180,9 +181,9 @@ export class Gizmo {
     const pixel = 1 / Math.max(1e-9, Math.hypot(...drag.perWorld)) / drag.worldPerUnit; // in units of the translation
     const step = 10 ** Math.floor(Math.log10(pixel));
     const edits = {
-      move: () => moveItem(this.#model, handle, axes[axis].map((x) => x * amount), step),
-      turn: () => turnItem(this.#model, handle, axis, amount),
-      scale: () => scaleItem(this.#model, handle, axis, amount),
+      move: () => this.#model.move(item, axes[axis].map((x) => x * amount), step),
+      turn: () => this.#model.turn(item, axis, amount),
+      scale: () => this.#model.scale(item, axis, amount),
     };
     this.#host.apply(edits[this.#how]());
   }

@@ -1,84 +1,68 @@
 // The panel that edits a scene without typing text: the parts of the scene as a tree, buttons for
-// actions, and the fields of the selected part. Every action is an edit of the text (edits.js),
+// actions, and the fields of the selected part. Every action is an edit of the text (scene-text.js),
 // which is the only state: after each change the panel is made from the text again.
 
-import fields from 'scenefile-fields';
 import { byId, h } from '../dom.js';
-import {
-  addItem, addTransform, canDuplicate, canWrap, duplicateItem, kindsToAdd, moveInto, moveTransform, neighborOf, numberText,
-  removeField, removeItem, reorderItem, setPart, setParts, targetsFor, whyNotRemoved, wrapItem,
-} from './edits.js';
 import { Gizmo } from './gizmo.js';
-import { fieldsOfItem, itemAt, modelOf } from './model.js';
 
 const maxRows = 400;
 
 const partNames = {
-  attenuationCoeff: ['constant', 'linear', 'quadratic'],
-  function: ['constant', 'linear', 'quadratic'],
-  rotate: ['x', 'y', 'z', 'degrees'],
+  color: ['red', 'green', 'blue'],
+  coefficients: ['constant', 'linear', 'quadratic'],
+  rotation: ['x', 'y', 'z', 'degrees'],
+  vector: ['x', 'y', 'z'],
+  image: ['file', 'repeats along u', 'repeats along v'],
 };
-const colorParts = ['red', 'green', 'blue'];
 
-function partName(spec, i) {
-  if (spec.kind === 'matrix') {
-    return `row ${Math.floor(i / 4) + 1}, column ${(i % 4) + 1}`;
-  }
-  const names = partNames[spec.name] ?? (spec.kind === 'color' ? colorParts : spec.kind === 'image' ? ['file', 'repeats along u', 'repeats along v'] : ['x', 'y', 'z']);
-  return names[i];
-}
+const partName = (kind, i) => (kind === 'matrix' ? `row ${Math.floor(i / 4) + 1}, column ${(i % 4) + 1}` : partNames[kind][i]);
 
 const hexOf = (values) =>
   `#${values.map((value) => Math.round(255 * Math.min(1, Math.max(0, Number(value)))).toString(16).padStart(2, '0')).join('')}`;
 const fromHex = (hex) => [1, 3, 5].map((i) => String(Number((parseInt(hex.slice(i, i + 2), 16) / 255).toFixed(3))));
 
-// A description of the range if the number is outside it; otherwise an empty text.
-function outside({ min, max, above, below } = {}, number) {
-  const low = min ?? above;
-  const high = max ?? below;
-  const wrong = number < min || number > max || number <= above || number >= below;
-  const bound = (word, exclusive) => (exclusive === undefined ? word : `${word}, exclusive,`);
-  return !wrong ? '' : low === undefined ? `at most ${high}` : high === undefined ? `${bound('at least', above)} ${low}` : `from ${low} to ${high}${above === undefined && below === undefined ? '' : ', exclusive'}`;
-}
+// The attributes of an object in XML; they are shown before its transforms.
+const attributes = ['name', 'filename', 'meshfile'];
 
 export class EditPanel {
   #host;
-  #model = null;
+  #model = null; // SceneText
   #item = null;
+  #place = 0; // where it begins, or did before the text had errors
+  #choices = null; // what can be done with it
   #toggled = new Map();
   #tree = byId('edit-tree');
   #form = byId('edit-fields');
   #gizmo;
 
-  /** `host`: text() of the scene, change(changes), files() other than the scene, selected(model, item), view() and viewport() of the picture. */
+  /** `host`: model() of the scene's text, change(changes), files() other than the scene, selected(model, item), view() and viewport() of the picture. */
   constructor(host) {
     this.#host = host;
     this.#gizmo = new Gizmo({ view: host.view, viewport: host.viewport, apply: (edit) => this.#apply(edit) });
     this.#tree.addEventListener('keydown', (event) => this.#treeKey(event));
     this.#form.addEventListener('submit', (event) => event.preventDefault());
     const actions = {
-      'edit-duplicate': () => this.#apply(duplicateItem(this.#model, this.#item), 'duplicated'),
+      'edit-duplicate': () => this.#apply(this.#model.duplicate(this.#item), 'duplicated'),
       'edit-delete': () => this.#remove(),
       'edit-up': () => this.#reorder(-1),
       'edit-down': () => this.#reorder(1),
-      'edit-wrap': () => this.#apply(wrapItem(this.#model, this.#item), 'put into a group'),
+      'edit-wrap': () => this.#apply(this.#model.wrap(this.#item), 'put into a group'),
     };
     for (const [id, act] of Object.entries(actions)) {
       byId(id).addEventListener('click', act);
     }
   }
 
-  get model() {
-    return this.#model;
-  }
-  get item() {
-    return this.#item;
+  /** Where the selected item begins in the text. */
+  get place() {
+    return this.#place;
   }
 
   /** The text changed or was replaced: selects the item at an offset. */
-  update(offset = this.#item?.from ?? 0) {
-    this.#model = modelOf(this.#host.text(), fields);
-    this.#select(itemAt(this.#model, offset) ?? this.#sameKind() ?? this.#model.root ?? this.#model.all[0] ?? null);
+  update(offset = this.#place) {
+    this.#model = this.#host.model();
+    this.#place = offset;
+    this.#select(this.#model.itemAt(offset) ?? this.#sameKind() ?? this.#model.root ?? this.#model.all[0] ?? null);
   }
 
   // Global data and camera may be absent from the file; then they have no offset.
@@ -89,11 +73,12 @@ export class EditPanel {
 
   /** Selects the item at an offset of the text. */
   selectAt(offset) {
-    this.#select(itemAt(this.#model, offset) ?? this.#item);
+    this.#select(this.#model.itemAt(offset) ?? this.#item);
   }
 
   #select(item) {
     this.#item = item;
+    this.#place = item?.from ?? this.#place;
     for (let above = item?.parent; above; above = above.parent) {
       this.#toggled.set(above.path, true);
     }
@@ -112,33 +97,35 @@ export class EditPanel {
   #apply({ changes, select }, done) {
     const label = this.#item?.label ?? '';
     this.#host.change(changes);
-    this.update(select ?? this.#item?.from ?? 0);
+    this.update(select ?? this.#place);
     byId('edit-status').textContent = done ? `${label}: ${done}` : '';
   }
 
   // After the event of a field, when the focus is where it goes: the fields are rebuilt, and
   // Firefox would lose the focus.
   #later(field, edit) {
-    const item = this.#item;
-    const at = fieldsOfItem(this.#model, item).findIndex(({ spec, element }) => spec.name === field.spec.name && element === field.element);
+    const { item } = field;
     setTimeout(() => {
-      const same = this.#item && fieldsOfItem(this.#model, this.#item)[at];
-      if (same?.spec.name === field.spec.name && this.#item.kind === item.kind && this.#item.from === item.from) {
+      if (this.#item?.kind !== item.kind || this.#item.from !== item.from) {
+        return;
+      }
+      const same = this.#model.fields(this.#item)[field.id];
+      if (same?.name === field.name) {
         this.#apply(edit(same));
       }
     });
   }
 
   #remove() {
-    if (this.#item !== null && whyNotRemoved(this.#model, this.#item) === null) {
-      this.#apply(removeItem(this.#model, this.#item), 'deleted');
+    if (this.#item !== null && this.#choices.not_removed === undefined) {
+      this.#apply(this.#model.remove(this.#item), 'deleted');
       this.#focusRow();
     }
   }
 
   #reorder(step) {
-    if (this.#item !== null && neighborOf(this.#model, this.#item, step) !== undefined) {
-      this.#apply(reorderItem(this.#model, this.#item, step), step < 0 ? 'moved up' : 'moved down');
+    if (this.#item !== null && this.#choices[step < 0 ? 'before' : 'after']) {
+      this.#apply(this.#model.reorder(this.#item, step), step < 0 ? 'moved up' : 'moved down');
     }
   }
 
@@ -247,30 +234,33 @@ export class EditPanel {
 
   #showActions() {
     const [model, item] = [this.#model, this.#item];
-    const usable = model.problem < 0;
+    const usable = model.problem === null;
+    this.#choices = usable ? model.choices(item) : { add: [], targets: [] };
+    const choices = this.#choices;
     byId('edit-broken').hidden = usable;
+    byId('edit-broken').title = model.problem ?? '';
     const off = (id, why) => {
-      byId(id).disabled = why !== null;
+      byId(id).disabled = why !== undefined;
       byId(id).title = why ?? '';
     };
-    const none = !usable || item === null ? 'the text has errors' : null;
-    off('edit-duplicate', none ?? (canDuplicate(model, item) ? null : item.shared ? 'its transblock has several objects' : 'every scene has one'));
-    off('edit-delete', none ?? whyNotRemoved(model, item));
-    off('edit-up', none ?? (neighborOf(model, item, -1) === undefined ? 'it is the first' : null));
-    off('edit-down', none ?? (neighborOf(model, item, 1) === undefined ? 'it is the last' : null));
-    off('edit-wrap', none ?? (canWrap(model, item) ? null : 'it cannot be in a group'));
+    const none = usable && item !== null ? undefined : 'the text has errors';
+    off('edit-duplicate', none ?? choices.not_duplicated);
+    off('edit-delete', none ?? choices.not_removed);
+    off('edit-up', none ?? (choices.before ? undefined : 'it is the first'));
+    off('edit-down', none ?? (choices.after ? undefined : 'it is the last'));
+    off('edit-wrap', none ?? choices.not_wrapped);
     byId('edit-add-menu').hidden = !usable;
     const close = (menu) => (byId(menu).open = false);
     byId('edit-add').replaceChildren(
-      ...(usable ? kindsToAdd(model) : []).slice(0, 100).map((kind) =>
-        h('button', { type: 'button', onclick: () => (close('edit-add-menu'), this.#apply(addItem(model, item, kind), `${kind.label} added`), this.#focusRow()) }, kind.label),
+      ...choices.add.slice(0, 100).map((kind) =>
+        h('button', { type: 'button', onclick: () => (close('edit-add-menu'), this.#apply(model.add(item, kind), `${kind.label} added`), this.#focusRow()) }, kind.label),
       ),
     );
-    const targets = none === null ? targetsFor(model, item).slice(0, 100) : [];
+    const targets = choices.targets.slice(0, 100);
     byId('edit-move-menu').hidden = targets.length === 0;
     byId('edit-move').replaceChildren(
       ...targets.map((target) =>
-        h('button', { type: 'button', onclick: () => (close('edit-move-menu'), this.#apply(moveInto(model, item, target), `moved to ${target.label}`), this.#focusRow()) },
+        h('button', { type: 'button', onclick: () => (close('edit-move-menu'), this.#apply(model.moveInto(item, target), `moved to ${target.label}`), this.#focusRow()) },
           [...pathLabels(target)].join(' / ')),
       ),
     );
@@ -281,22 +271,22 @@ export class EditPanel {
   #showFields() {
     const [model, item] = [this.#model, this.#item];
     byId('edit-title').textContent = item === null ? 'The text has no scene' : item.label;
-    if (item === null || model.problem >= 0) {
+    if (item === null) {
       this.#form.replaceChildren();
       return;
     }
-    const list = fieldsOfItem(model, item);
+    const list = model.fields(item);
+    const transforms = list.filter(({ transform }) => transform);
     const seen = new Map();
     const rows = list.map((field) => {
-      const count = seen.get(field.spec.name) ?? 0;
-      seen.set(field.spec.name, count + 1);
-      return this.#fieldRow(field, `${field.spec.name}-${count}`);
+      const count = seen.get(field.name) ?? 0;
+      seen.set(field.name, count + 1);
+      return this.#fieldRow(field, `${field.name}-${count}`, transforms);
     });
-    const placing = model.xml && item.block !== null ? [this.#transformButtons(item)] : [];
+    const placing = model.xml && ['group', 'primitive', 'instance'].includes(item.kind) ? [this.#transformButtons(item)] : [];
     const focused = document.activeElement?.dataset?.field;
     const datalist = h('datalist', { id: 'edit-files' }, this.#host.files().slice(0, 200).map((name) => h('option', { value: name })));
-    const lastPlacing = list.findLastIndex(({ movable }) => movable);
-    const at = lastPlacing >= 0 ? lastPlacing + 1 : list.filter(({ own }) => own).length;
+    const at = list.findLastIndex(({ name, transform }) => transform || attributes.includes(name)) + 1;
     this.#form.replaceChildren(...rows.slice(0, at), ...placing, ...rows.slice(at), datalist,
       ...(rows.length + placing.length === 0 ? [h('p', { className: 'help' }, 'Add lights, shapes and groups here.')] : []));
     if (focused !== undefined) {
@@ -309,75 +299,66 @@ export class EditPanel {
   #transformButtons(item) {
     const names = { translate: 'translation', rotate: 'rotation', scale: 'scale', matrix: 'matrix' };
     return h('div', { className: 'bar' }, Object.entries(names).map(([name, title]) =>
-      h('button', { type: 'button', 'data-field': `add-${name}`, onclick: () => this.#apply(addTransform(this.#model, item, name), `${title} added`) }, `+ ${title}`)));
+      h('button', { type: 'button', 'data-field': `add-${name}`, onclick: () => this.#apply(this.#model.addTransform(item, name), `${title} added`) }, `+ ${title}`)));
   }
 
-  #fieldRow(field, id) {
-    const { spec, values, element, unused, movable } = field;
-    const label = h('span', { className: 'field-title', title: spec.about, id: `edit-${id}` }, spec.title ?? spec.name);
+  #fieldRow(field, id, transforms) {
+    const { title, about, kind, parts } = field;
+    const label = h('span', { className: 'field-title', title: about, id: `edit-${id}` }, title);
     const remark = h('div', { className: 'remark', role: 'alert' });
-    const count = values.length;
-    const inputs = values.map((value, i) => this.#input(field, i, `${id}-${i}`, count, remark));
-    const isColor = spec.kind === 'color';
-    const known = values.map((value, i) => value ?? [spec.start].flat(2)[i] ?? 0);
-    const picker = isColor
-      ? [h('input', { type: 'color', value: hexOf(known), 'data-field': `${id}-color`, 'aria-label': `${spec.title}: choose`,
-          onchange: ({ target }) => this.#later(field, (same) => setParts(this.#model, same, fromHex(target.value))) })]
+    const inputs = parts.map((_, i) => this.#input(field, i, `${id}-${i}`, remark));
+    const picker = kind === 'color'
+      ? [h('input', { type: 'color', value: hexOf(parts.map(({ value }) => value)), 'data-field': `${id}-color`, 'aria-label': `${title}: choose`,
+          onchange: ({ target }) => this.#later(field, (same) => this.#model.set(same, fromHex(target.value))) })]
       : [];
-    const button = (name, text, about, act, disabled = false) =>
-      h('button', { type: 'button', className: 'small', 'aria-label': `${spec.title}: ${about}`, title: about, 'data-field': `${id}-${name}`, disabled, onclick: act }, text);
+    const button = (name, text, does, act, disabled = false) =>
+      h('button', { type: 'button', className: 'small', 'aria-label': `${title}: ${does}`, title: does, 'data-field': `${id}-${name}`, disabled, onclick: act }, text);
     const buttons = [];
-    if (movable) {
-      for (const [step, text, about] of [[-1, '↑', 'move up'], [1, '↓', 'move down']]) {
-        const moved = moveTransform(this.#model, field, step);
-        buttons.push(button(about, text, about, () => this.#apply(moved), moved === null));
+    if (this.#model.xml && field.transform) {
+      for (const [step, text, does] of [[-1, '↑', 'move up'], [1, '↓', 'move down']]) {
+        const isLast = transforms.at(step < 0 ? 0 : -1) === field;
+        buttons.push(button(does, text, does, () => this.#apply(this.#model.moveTransform(field, step)), isLast));
       }
     }
-    if (element !== null && !field.required && !spec.required && spec.instead === undefined && !(field.own && spec.kind === 'choice')) {
-      buttons.push(button('remove', '×', 'remove', () => this.#apply(removeField(this.#model, field), `${spec.title} removed`)));
+    if (field.written && !field.needed) {
+      buttons.push(button('remove', '×', 'remove', () => this.#apply(this.#model.unset(field), `${title} removed`)));
     }
-    const group = count > 1 ? { role: 'group', 'aria-labelledby': `edit-${id}` } : {};
-    return h('div', { className: `field${element === null ? ' unset' : ''}`, ...group },
-      label, h('div', { className: `inputs ${spec.kind}` }, picker, inputs), h('div', { className: 'buttons' }, buttons),
-      unused ? h('div', { className: 'remark' }, `has no effect on a ${field.item.type} light`) : null, remark);
+    const group = parts.length > 1 ? { role: 'group', 'aria-labelledby': `edit-${id}` } : {};
+    return h('div', { className: `field${field.written ? '' : ' unset'}`, ...group },
+      label, h('div', { className: `inputs ${kind}` }, picker, inputs), h('div', { className: 'buttons' }, buttons),
+      field.effective ? null : h('div', { className: 'remark' }, `has no effect on a ${field.item.label}`), remark);
   }
 
-  #input(field, i, id, count, remark) {
-    const { spec, values } = field;
-    const part = spec.kind === 'matrix' ? {} : spec.parts[i];
-    const name = count === 1 ? spec.title : `${spec.title}: ${partName(spec, i)}`;
-    const set = (value) => this.#later(field, (same) => setPart(this.#model, same, i, value));
-    const common = { 'data-field': id, 'aria-label': name, title: part.about || spec.about };
-    if (spec.kind === 'choice') {
-      const now = values[i] ?? '';
-      const known = [...new Set([...(spec.values.includes(now) ? [] : [now]), ...spec.values])];
-      return h('select', { ...common, onchange: ({ target }) => set(target.value) },
-        known.map((value) => h('option', { value, selected: value === now }, value || 'not given')));
+  #input(field, i, id, remark) {
+    const { title, about, kind, parts, choices } = field;
+    const { value, written, number } = parts[i];
+    const now = written ? value.trim() : '';
+    const common = { 'data-field': id, 'aria-label': parts.length === 1 ? title : `${title}: ${partName(kind, i)}`, title: about };
+    // What is refused is said below the field.
+    const set = (target) => {
+      const values = parts.map((_, k) => (k === i ? target.value : undefined));
+      try {
+        this.#model.set(field, values);
+      } catch (error) {
+        target.setAttribute('aria-invalid', 'true');
+        remark.textContent = error.message;
+        return;
+      }
+      this.#later(field, (same) => this.#model.set(same, values));
+    };
+    const setIfGiven = ({ target }) => (target.value === '' ? (target.value = now) : set(target));
+    if (kind === 'choice') {
+      return h('select', { ...common, onchange: ({ target }) => set(target) },
+        [...new Set([now, ...choices])].map((choice) => h('option', { value: choice, selected: choice === now }, choice || 'not given')));
     }
-    const start = [spec.start].flat(2)[i];
-    if (spec.kind === 'text' || part.text) {
-      const isFile = spec.kind === 'image' || /file/i.test(spec.name);
-      const input = h('input', { ...common, type: 'text', value: values[i] ?? '', placeholder: values[i] === null ? 'not given' : '', spellcheck: false,
-        onchange: ({ target }) => (target.value === '' ? (target.value = values[i] ?? '') : set(target.value)) });
-      if (isFile) {
+    if (!number) {
+      const input = h('input', { ...common, type: 'text', value: now, placeholder: written ? '' : 'not given', spellcheck: false, onchange: setIfGiven });
+      if (kind === 'image' || kind === 'file') {
         input.setAttribute('list', 'edit-files');
       }
       return input;
     }
-    return h('input', { ...common, type: 'number', step: 'any', value: values[i]?.trim() ?? '', placeholder: String(start ?? ''),
-      onchange: ({ target }) => {
-        const text = numberText(target.value);
-        if (text === null) {
-          target.value = values[i]?.trim() ?? '';
-          return;
-        }
-        const wrong = outside(part, Number(text));
-        target.setAttribute('aria-invalid', String(wrong !== ''));
-        remark.textContent = wrong === '' ? '' : `${text} is out of range: it must be ${wrong}`;
-        if (wrong === '') {
-          set(text);
-        }
-      } });
+    return h('input', { ...common, type: 'number', step: 'any', value: now, placeholder: value, onchange: setIfGiven });
   }
 }
 

@@ -69,6 +69,7 @@ std::string opened_json(const LoadedScene& scene) {
   json.key("scene");
   add_scene(json, scene);
   json.add("usable", scene.usable());
+  json.add("lit_by_faces", scene.usable() && lit_by_faces_only(scene));
   if (!scene.unreadable) {
     add_files(json, scene);
   }
@@ -109,15 +110,18 @@ const char* page_check(const char* path, int depth, int compat_course) {
 }
 
 /// Opens a scene with all its files for the functions below; answers like page_check().
-const char* page_open(const char* path, int compat_course) {
+/// `materials`: also those of mesh faces where the scene has lights, for mode path.
+const char* page_open(const char* path, int compat_course, int materials) {
   ++page().opened;
+  page().paths.reset();
   page().traced.reset();
   LoadedScene none;
   page().scene = std::move(none);  // frees its memory before the next scene is loaded
   return answered([&] {
     LoadedScene& scene = page().scene;
-    scene = load_scene_file(path, load_settings(LoadDepth::with_all_assets, compat_course != 0),
-                            access_of_page());
+    scene = load_scene_file(
+        path, load_settings(LoadDepth::with_all_assets, compat_course != 0, materials != 0),
+        access_of_page());
     page().written_camera = scene.ready.scene.camera;
     if (scene.usable()) {
       check_picture(scene);
@@ -129,6 +133,7 @@ const char* page_open(const char* path, int compat_course) {
 /// Changes the camera of the open scene: position, u, v, w, and the full angle fov_y in radians, as
 /// in RenderCamera. Null: the camera of the file.
 void page_look(const double* camera) {
+  page().paths.reset();
   RenderCamera& now = page().scene.ready.scene.camera;
   now = page().written_camera;
   if (camera != nullptr) {

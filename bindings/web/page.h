@@ -5,6 +5,8 @@
 #include "scenefile/base/realtime.h"
 #include "scenefile/base/result.h"
 #include "scenefile/io/file.h"
+#include "scenefile/path/path_scene.h"
+#include "scenefile/path/path_state.h"
 #include "scenefile/trace/trace_scene.h"
 #include "scenefile/verbs/json_writer.h"
 #include "scenefile/verbs/load_file.h"
@@ -25,6 +27,16 @@ namespace scenefile {
 
 inline constexpr const char* files_folder = "/files";
 
+/// A picture of mode path in progress.
+struct PathPicture {
+  PathPicture(const TraceScene& traced, const RenderScene& ready, const RenderOptions& asked)
+      : options(asked), scene(traced, ready, asked), state(make_path_state(asked)) {}
+
+  RenderOptions options;
+  PathScene scene;
+  PathState state;
+};
+
 struct Page {
   std::string answer;
   std::vector<std::uint8_t> pixels;
@@ -32,6 +44,7 @@ struct Page {
   int opened = 0;  ///< changes whenever `scene` does
   RenderCamera written_camera;
   std::optional<TraceScene> traced;  ///< of `scene`; built by the first picture
+  std::optional<PathPicture> paths;  ///< of `scene` and its camera
 };
 
 Page& page();
@@ -55,6 +68,7 @@ const char* answered(const Work& work) {
   try {
     return give(work());
   } catch (const std::bad_alloc&) {
+    page().paths.reset();
     page().traced.reset();
     return give(error_json("out of memory"));
   } catch (const std::exception& error) {
@@ -85,9 +99,10 @@ inline AssetAccess access_of_page() {
   return {.roots = {files_folder}};
 }
 
-inline LoadSettings load_settings(LoadDepth depth, bool compat_course) {
+inline LoadSettings load_settings(LoadDepth depth, bool compat_course, bool materials = false) {
   LoadSettings settings;
   settings.depth = depth;
+  settings.materials = materials;
   settings.compat_course = compat_course;
   settings.allow_missing = true;
   return settings;
@@ -109,6 +124,10 @@ inline RenderOptions picture_options(int profile, int mode, int features, int wi
   }
   options.width = width;
   options.height = height;
+  if (options.mode == Mode::path) {
+    options.samples = path_samples;
+    options.max_depth = path_max_depth;
+  }
   options.samples = samples > 0 ? samples : options.samples;
   options.max_depth = max_depth >= 0 ? max_depth : options.max_depth;
   options.threads = 1;

@@ -1,12 +1,39 @@
 // Tracing and explaining the open scene.
 
 #include "page.h"
+#include "scenefile/path/tone.h"
 #include "scenefile/verbs/explain.h"
 #include "scenefile/verbs/render_error.h"
 
+#include <algorithm>
+#include <chrono>
 #include <utility>
 
 namespace scenefile {
+
+namespace {
+
+// What rays are traced in, or why they cannot be.
+Result<const TraceScene*> traced_scene() {
+  Page& p = page();
+  if (!p.scene.usable()) {
+    return Error{"the scene has errors"};
+  }
+  if (!p.traced) {
+    p.traced.emplace(p.scene.ready.scene, p.scene.assets, TraceSceneOptions{.threads = 1});
+  }
+  if (auto error = render_error(p.traced->status())) {
+    return std::move(*error);
+  }
+  return &*p.traced;
+}
+
+bool is_same_picture(const RenderOptions& a, const RenderOptions& b) {
+  return a.width == b.width && a.height == b.height && a.crop == b.crop &&
+         a.max_depth == b.max_depth;
+}
+
+}  // namespace
 
 extern "C" {
 
@@ -17,20 +44,15 @@ const std::uint8_t* page_render(int profile, int mode, int features, int width, 
   Page& p = page();
   const std::uint8_t* pixels = nullptr;
   answered([&]() -> std::string {
-    if (!p.scene.usable()) {
-      return error_json("the scene has errors");
+    const Result<const TraceScene*> traced = traced_scene();
+    if (!traced) {
+      return error_json(traced.error().text);
     }
     RenderOptions options =
         picture_options(profile, mode, features, width, height, samples, max_depth);
     options.crop = PixelRegion{x0, y0, x1, y1};
-    if (!p.traced) {
-      p.traced.emplace(p.scene.ready.scene, p.scene.assets, TraceSceneOptions{.threads = 1});
-    }
-    if (const auto error = render_error(p.traced->status())) {
-      return error_json(error->text);
-    }
     RenderControl control;
-    control.traced = &*p.traced;
+    control.traced = *traced;
     const RenderResult result =
         render(p.scene.ready.scene, p.scene.assets, options, std::move(control));
     if (const auto error = render_error(result.status)) {
@@ -40,6 +62,53 @@ const std::uint8_t* page_render(int profile, int mode, int features, int width, 
     return "{}";
   });
   return pixels;
+}
+
+/// Adds samples to those pixels of a picture of mode path, for about `seconds`; a call with the
+/// same numbers goes on. Answers whether each has `samples`, and then also their white.
+const char* page_path_add(int profile, int mode, int features, int width, int height, int samples,
+                          int max_depth, int x0, int y0, int x1, int y1, double seconds) {
+  return answered([&]() -> std::string {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    const Result<const TraceScene*> traced = traced_scene();
+    if (!traced) {
+      return error_json(traced.error().text);
+    }
+    RenderOptions options =
+        picture_options(profile, mode, features, width, height, samples, max_depth);
+    options.crop = PixelRegion{x0, y0, x1, y1};
+    Page& p = page();
+    if (!p.paths || !is_same_picture(p.paths->options, options)) {
+      p.paths.emplace(**traced, p.scene.ready.scene, options);
+    }
+    const Progress progress = [&](double) {
+      return std::chrono::duration<double>(Clock::now() - start).count() < seconds;
+    };
+    RenderStats stats;
+    const RenderStatus status =
+        add_samples(p.paths->scene, static_cast<std::uint32_t>(options.samples), p.paths->state,
+                    progress, stats);
+    const bool complete = status == RenderStatus::complete;
+    if (!complete && status != RenderStatus::cancelled) {
+      return error_json(render_error(status)->text);
+    }
+    Json json;
+    json.begin_object();
+    json.add("complete", complete);
+    if (complete) {
+      json.add("white", brightest(image_of(p.paths->state).rgb, 0));
+    }
+    json.end_object();
+    return json.text();
+  });
+}
+
+/// The pixels to which page_path_add() added last. `white`: the largest of the picture's parts.
+const std::uint8_t* page_path_pixels(double white) {
+  Image image = image_of(page().paths->state);
+  map_tones(image.rgb, Tone::course, 0, white);
+  return show(quantize(image, Rounding::nearest));
 }
 
 /// The document of `scenefile explain --json` for a pixel of that picture. `red`, `green`, `blue`:

@@ -100,7 +100,8 @@ const common = {
   },
   check: ({ path, depth, course }) =>
     withStack((string) => json(core._page_check(string(`/files/${path}`), depth, course ? 1 : 0))),
-  open: ({ path, course }) => withStack((string) => json(core._page_open(string(`/files/${path}`), course ? 1 : 0))),
+  open: ({ path, course, materials }) =>
+    withStack((string) => json(core._page_open(string(`/files/${path}`), course ? 1 : 0, materials ? 1 : 0))),
   look: ({ camera }) => withStack((string, doubles) => core._page_look(camera === null ? 0 : doubles(camera))),
   help: ({ code }) => withStack((string) => json(core._page_help(string(code)))),
 };

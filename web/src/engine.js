@@ -55,7 +55,7 @@ export class Engine {
 
   /**
    * Sends files, scene and camera where the worker lacks them. `scene`: { path, text, files,
-   * filesVersion, version, course }; `look`: { version, camera }. Resolves to the core's answer
+   * filesVersion, version, course, materials }; `look`: { version, camera }. Resolves to the core's answer
    * about a scene that it opened, else to null.
    */
   async prepare(scene, look) {
@@ -67,7 +67,7 @@ export class Engine {
     }
     if (this.opened !== scene.version) {
       await this.call('text', { path: scene.path, text: scene.text });
-      opened = await this.call('open', { path: scene.path, course: scene.course });
+      opened = await this.call('open', { path: scene.path, course: scene.course, materials: scene.materials });
       this.opened = scene.version;
       this.looked = 0;
     }

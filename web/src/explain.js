@@ -87,9 +87,32 @@ function yoursPart(yours) {
     : [value, h('ul', { className: 'claims' }, yours.fits.map((fit) => h('li', {}, `Yours equals ours ${fit.what}.`)))];
 }
 
+// A path-traced pixel: the path of one of its samples.
+function pathExplanation({ pixel, text }, selectLine) {
+  const { color, standard_error: error, samples, path } = pixel;
+  const rows = path.vertices.map((vertex, i) =>
+    h('tr', {}, h('td', {}, String(i)), h('td', {}, vertex.object ? objectPart(vertex, selectLine).filter((part) => part !== null) : 'nothing'),
+      h('td', {}, triple(vertex.throughput)), h('td', {}, triple(vertex.light))));
+  return [
+    h('p', {}, `${triple(color)} (linear), standard error ${rounded(error)}, from ${samples.length} ${samples.length === 1 ? 'sample' : 'samples'}`),
+    h('table', {},
+      h('thead', {}, h('tr', {}, ...['', 'The path of a sample', 'Throughput', 'Light'].map((name) => h('th', { scope: 'col' }, name)))),
+      h('tbody', {}, rows)),
+    h('details', {}, h('summary', {}, 'All steps'), h('pre', { tabIndex: 0 }, text)),
+  ];
+}
+
+/** The line of the object at the pixel; undefined if there is none. */
+export function lineOfObject({ pixel }) {
+  return (pixel.path?.vertices[0] ?? pixel.rays?.[0]?.surface)?.object?.at(-1).line;
+}
+
 /** Elements that show the answer. `selectLine` is called when a line number is clicked. */
 export function explanation({ document, text }, selectLine) {
   const { pixel } = document;
+  if (pixel.path !== undefined) {
+    return pathExplanation({ pixel, text }, selectLine);
+  }
   const [ray] = pixel.rays;
   const remarks = pixel.remarks.map(({ text: words }) => h('li', {}, words));
   return [

@@ -4,7 +4,7 @@ import examples from 'scenefile-examples';
 import { afterPause, byId, download, h } from './dom.js';
 import { Editor } from './editor.js';
 import { Engine } from './engine.js';
-import { explanation } from './explain.js';
+import { explanation, lineOfObject } from './explain.js';
 import { baseName, fromDrop, fromInput, isModelName, isPictureName, isSceneName, packed, readAll } from './files.js';
 import { linkOf, sceneOf } from './link.js';
 import { Picture } from './picture.js';
@@ -67,10 +67,10 @@ const editor = new Editor(byId('editor'), {
 const setBusy = (busy) => byId('canvas').setAttribute('aria-busy', String(busy));
 
 const picture = new Picture(byId('canvas'), workers, {
-  progress(done) {
+  progress(done, what = `${Math.floor(100 * done)} %`) {
     setBusy(done < 1);
     byId('stop').hidden = done >= 1;
-    byId('progress').textContent = done >= 1 ? '' : `${Math.floor(100 * done)} %`;
+    byId('progress').textContent = done >= 1 ? '' : what;
   },
   drawn(seconds, withGl) {
     store.end(scene.id);
@@ -151,6 +151,7 @@ const sceneNow = () => ({
   filesVersion: scene.filesVersion,
   version: scene.version,
   course: readsLikeCourse(),
+  materials: picture.options.mode === 3, // without lights, they are always read
 });
 
 // As with the same profile of the program.
@@ -213,6 +214,7 @@ async function checkAndDraw() {
         return;
       }
       if (opened !== null) {
+        showOptions(); // the scene may choose the mode
         showFindings(opened.scene);
       }
       if (opened === null || opened.usable) {
@@ -436,7 +438,7 @@ function applyOptions(options) {
     picture.options = {
       ...picture.options,
       profile: whole(options.profile, 0, 2, 1),
-      mode: whole(options.mode, 0, 2, 0),
+      mode: whole(options.mode, -1, 3, -1),
       draw: whole(options.draw, 0, 6, -1),
       realtime: realtimeOf(options.realtime) ?? picture.options.realtime,
       features: whole(options.features, -1, 127, -1),
@@ -448,12 +450,13 @@ function applyOptions(options) {
 }
 
 function showOptions() {
-  const { profile, mode, features, width, height, draw, realtime } = picture.options;
+  const { profile, features, width, height, draw, realtime } = picture.options;
   const isRealtime = profile === 2;
   byId('profile').value = String(profile);
   byId('mode-trace').hidden = byId('mode-trace').disabled = isRealtime;
-  byId('mode').value = picture.isGl ? `gl${Math.max(0, draw)}` : String(mode);
-  byId('features-menu').hidden = isRealtime;
+  byId('mode-path').hidden = byId('mode-path').disabled = profile !== 1;
+  byId('mode').value = picture.isGl ? `gl${Math.max(0, draw)}` : String(picture.mode);
+  byId('features-menu').hidden = isRealtime || picture.isPaths;
   byId('realtime').hidden = !isRealtime;
   realtimeIds.forEach((id, i) => {
     byId(id).value = String(realtime[i]);
@@ -495,7 +498,11 @@ byId('profile').addEventListener('change', () => {
 });
 byId('mode').addEventListener('change', () => {
   const { value } = byId('mode');
+  const { materials } = sceneNow();
   changeOptions(value.startsWith('gl') ? { draw: Number(value.slice(2)) } : { mode: Number(value), draw: -1 });
+  if (materials !== sceneNow().materials) {
+    readAgain();
+  }
 });
 for (const id of realtimeIds) {
   byId(id).addEventListener('change', () => {
@@ -562,10 +569,10 @@ function compareHow() {
   picture.paint();
 }
 
-function showComparison({ working, otherSize, openGl, answer }) {
+function showComparison({ working, otherSize, openGl, paths, answer }) {
   const box = byId('compare-result');
-  if (working || otherSize || openGl) {
-    box.replaceChildren(working ? 'Comparing…' : otherSize ? 'The pictures have different sizes.' : 'Choose a mode of ray tracing, or the profile realtime, to compare.');
+  if (working || otherSize || openGl || paths) {
+    box.replaceChildren(working ? 'Comparing…' : otherSize ? 'The pictures have different sizes.' : paths ? 'The program compares path-traced pictures within their noise: scenefile diff.' : 'Choose a mode of ray tracing, or the profile realtime, to compare.');
     return;
   }
   const parts = [];
@@ -819,7 +826,7 @@ async function explainAt(x, y) {
     } else {
       const found = await picture.explain(x, y);
       byId('explain-result').replaceChildren(...explanation(found, selectLine));
-      line = found.document.pixel.rays[0]?.surface?.object.at(-1).line;
+      line = lineOfObject(found.document);
     }
     if (line === undefined) {
       marks?.select(null);

@@ -11,6 +11,9 @@ const patience = 50; // milliseconds for canceled work to finish, before its wor
 const glPatience = 1000; // the same for WebGL2, whose worker takes longer to start again
 const glTimeout = 30_000; // milliseconds; without a graphics card, the first drawing may take seconds
 const coarse = 2; // traced previews are at most this much smaller, if WebGL2 is quicker
+const passTime = 1000; // milliseconds between path-traced pictures with more and more samples
+const pathSamples = 64; // of a finished one
+const paths = 3; // the mode
 
 const sleep = (time) => new Promise((resolve) => setTimeout(resolve, time));
 
@@ -37,14 +40,15 @@ export class Picture {
   #job = 0;
   #previewing = false;
   #settled = 0;
-  #scene = null; // { path, text, files, filesVersion, version, course }
+  #scene = null; // { path, text, files, filesVersion, version, course, materials }
+  #litByFaces = false; // only by materials of faces that emit light
   #lookVersion = 0;
   #told;
   #scale = 4;
 
-  // `draw`: a mode of OpenGL; -1: traced. `realtime`: parameter 1, parameter 2, near, far, filter, milestone.
-  options = { profile: 1, mode: 0, features: -1, width: 640, height: 480, samples: 0, maxDepth: -1, draw: -1, realtime: [5, 5, 0.1, 100, 0, 0] };
-  pixels = null; // RGBA of the finished picture
+  // `mode`: -1: paths if only faces emit light, otherwise rays. `draw`: a mode of OpenGL; -1: traced. `realtime`: parameter 1, parameter 2, near, far, filter, milestone.
+  options = { profile: 1, mode: -1, features: -1, width: 640, height: 480, samples: 0, maxDepth: -1, draw: -1, realtime: [5, 5, 0.1, 100, 0, 0] };
+  pixels = null; // RGBA of the finished picture, or of one that is complete but for more samples
   viewport = [1, 1]; // the part of the picture, at its lower left, that shows what the camera sees
   written = null; // the camera of the file
   camera = null; // after orbiting; null: that of the file
@@ -62,6 +66,22 @@ export class Picture {
   /** Whether WebGL2 draws the picture. */
   get isGl() {
     return this.options.profile === 2 || this.options.draw >= 0;
+  }
+
+  /** The mode of tracing. Only the profile fine has paths. */
+  get mode() {
+    const { mode, profile } = this.options;
+    const wanted = mode >= 0 ? mode : this.#litByFaces ? paths : 0;
+    return wanted === paths && profile !== 1 ? 0 : wanted;
+  }
+
+  get isPaths() {
+    return !this.isGl && this.mode === paths;
+  }
+
+  // The options as the core gets them.
+  get #asked() {
+    return { ...this.options, mode: this.mode };
   }
 
   get hasScene() {
@@ -104,6 +124,7 @@ export class Picture {
     this.#scene = scene;
     const opened = await this.#prepared(this.#engines[0]);
     if (opened !== null && opened.usable) {
+      this.#litByFaces = opened.lit_by_faces;
       if (JSON.stringify(this.written) !== JSON.stringify(opened.camera)) {
         this.written = opened.camera;
         this.camera = null;
@@ -201,7 +222,11 @@ export class Picture {
         await this.#compare(job);
         return;
       }
-      const small = { ...this.options, width: Math.ceil(width / 8), height: Math.ceil(height / 8), samples: 1 };
+      if (this.isPaths) {
+        await this.#drawPaths(job, start);
+        return;
+      }
+      const small = { ...this.#asked, width: Math.ceil(width / 8), height: Math.ceil(height / 8), samples: 1 };
       await this.#prepared(this.#engines[0]);
       const coarse = await this.#renderWith(this.#engines[0], small, 0, small.height);
       if (job !== this.#job) {
@@ -246,7 +271,7 @@ export class Picture {
   /** A call of the worker that draws with WebGL2. */
   async callGl(call, args = {}) {
     await this.#prepared(this.#gl);
-    const { options } = this;
+    const options = this.#asked;
     const draw = options.profile === 2 ? Math.max(0, options.draw) : options.draw;
     return this.#gl.call(call, { options: { ...options, draw }, ...args }, { timeout: glTimeout });
   }
@@ -270,8 +295,72 @@ export class Picture {
     return engine.call('render', { options, x0: 0, x1: options.width, y0, y1 });
   }
 
+  // Path-traced pictures with more and more samples.
+  async #drawPaths(job, start) {
+    const options = this.#asked;
+    const { width, height } = options;
+    const small = { ...options, width: Math.ceil(width / 8), height: Math.ceil(height / 8) };
+    const first = await this.#pathPass(job, small, 4);
+    if (first === null) {
+      return;
+    }
+    this.#putScaled({ ...small, data: first });
+    this.paint();
+    let time = 0; // milliseconds for one sample of each pixel
+    for (let samples = 0; samples < pathSamples;) {
+      const begun = performance.now();
+      const more = samples === 0 ? 1 : Math.max(1, Math.min(samples, pathSamples - samples, Math.floor(passTime / time)));
+      const pixels = await this.#pathPass(job, options, samples + more);
+      if (pixels === null) {
+        return;
+      }
+      time = (performance.now() - begun) / more;
+      samples += more;
+      this.pixels = pixels;
+      this.#putOurs({ data: pixels, width, height });
+      this.paint();
+      this.#told.progress(samples / pathSamples, `${samples} of ${pathSamples} samples`);
+    }
+    this.#paintNow();
+    this.#told.drawn((performance.now() - start) / 1000);
+    await this.#compare(job);
+  }
+
+  // The picture with that many samples, or null if it is obsolete. Each worker draws a part, and
+  // all show the same luminance as white.
+  async #pathPass(job, options, samples) {
+    const { width, height } = options;
+    const engines = this.#engines.slice(0, height);
+    const startOf = (i) => Math.floor((height * i) / engines.length);
+    const whites = await Promise.all(
+      engines.map(async (engine, i) => {
+        await this.#prepared(engine);
+        while (job === this.#job) {
+          const { complete, white } = await engine.call('pathAdd', { options: { ...options, samples }, y0: startOf(i), y1: startOf(i + 1) });
+          if (complete) {
+            return white;
+          }
+        }
+        return 0;
+      }),
+    );
+    if (job !== this.#job) {
+      return null;
+    }
+    const white = Math.max(...whites);
+    const parts = await Promise.all(
+      engines.map((engine, i) => engine.call('pathPixels', { white, size: 4 * width * (startOf(i + 1) - startOf(i)) })),
+    );
+    if (job !== this.#job) {
+      return null;
+    }
+    const pixels = new Uint8Array(4 * width * height);
+    parts.forEach((part, i) => pixels.set(part, 4 * width * startOf(i)));
+    return pixels;
+  }
+
   async #drawStrips(job, pixels) {
-    const { options } = this;
+    const options = this.#asked;
     const { width, height } = options;
     let next = 0;
     let done = 0;
@@ -381,27 +470,18 @@ export class Picture {
       let drawn = -1;
       while (drawn !== this.#lookVersion && job === this.#job) {
         drawn = this.#lookVersion;
-        if (this.isGl || (this.#scale > coarse && this.#glSeconds < 2 * frameTime / 1000)) {
+        if (this.isGl || (!this.isPaths && this.#scale > coarse && this.#glSeconds < 2 * frameTime / 1000)) {
           await this.#drawGl(job);
           continue;
         }
         const begun = performance.now();
         const width = Math.max(16, Math.round(this.options.width / this.#scale));
         const height = Math.max(12, Math.round(this.options.height / this.#scale));
-        const options = { ...this.options, width, height, samples: 1 };
-        const count = this.#engines.length;
-        const bands = await Promise.all(
-          this.#engines.map(async (engine, i) => {
-            await this.#prepared(engine);
-            const y0 = Math.floor((height * i) / count);
-            return this.#renderWith(engine, options, y0, Math.floor((height * (i + 1)) / count));
-          }),
-        );
-        if (job !== this.#job) {
+        const options = { ...this.#asked, width, height, samples: 1 };
+        const data = await (this.isPaths ? this.#pathPass(job, options, 1) : this.#bands(job, options));
+        if (data === null) {
           return;
         }
-        const data = new Uint8Array(4 * width * height);
-        bands.reduce((at, band) => (data.set(band, at), at + band.length), 0);
         this.#putScaled({ data, width, height });
         this.paint();
         const factor = Math.sqrt((performance.now() - begun) / frameTime);
@@ -417,11 +497,30 @@ export class Picture {
     }
   }
 
+  // A whole picture, in one part for each worker; null if it is obsolete.
+  async #bands(job, options) {
+    const { width, height } = options;
+    const count = this.#engines.length;
+    const bands = await Promise.all(
+      this.#engines.map(async (engine, i) => {
+        await this.#prepared(engine);
+        const y0 = Math.floor((height * i) / count);
+        return this.#renderWith(engine, options, y0, Math.floor((height * (i + 1)) / count));
+      }),
+    );
+    if (job !== this.#job) {
+      return null;
+    }
+    const data = new Uint8Array(4 * width * height);
+    bands.reduce((at, band) => (data.set(band, at), at + band.length), 0);
+    return data;
+  }
+
   /** Explains a pixel: the document of `scenefile explain --json`, and its text. */
   async explain(x, y) {
     const [engine] = this.#engines;
     await this.#prepared(engine);
-    const request = { options: this.options, x, y, mine: this.camera === null ? this.mineAt(x, y) : null };
+    const request = { options: this.#asked, x, y, mine: this.camera === null ? this.mineAt(x, y) : null };
     const document = await engine.call('explain', request);
     return { document, text: await engine.call('explainText', request) };
   }
@@ -451,8 +550,13 @@ export class Picture {
   }
 
   async #compare(job) {
-    const { mine, options } = this;
+    const { mine } = this;
+    const options = this.#asked;
     if (mine === null || this.camera !== null) {
+      return;
+    }
+    if (this.isPaths) {
+      this.#told.compared({ paths: true });
       return;
     }
     if (options.profile !== 2 && options.draw >= 0) {
@@ -496,7 +600,7 @@ export class Picture {
 
   /** The scene as files of another format. */
   convert(scene, to) {
-    return this.#tool('convert', scene, { to, options: this.options, course: scene.course });
+    return this.#tool('convert', scene, { to, options: this.#asked, course: scene.course });
   }
 
   /** The text, formatted. */

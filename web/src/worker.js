@@ -26,6 +26,10 @@ serve(createScenefile, {
     const pixels = core._page_render(...words(options), x0, y0, x1, y1);
     return pixelsOf(pixels, 4 * (x1 - x0) * (y1 - y0));
   },
+  /** Adds samples to rows of a path-traced picture, for a short time. */
+  pathAdd: ({ options, y0, y1 }) => json(core._page_path_add(...words(options), 0, y0, options.width, y1, 0.04)),
+  /** The rows of the last pathAdd(). */
+  pathPixels: ({ white, size }) => pixelsOf(core._page_path_pixels(white), size),
   explain: ({ options, x, y, mine }) =>
     json(core._page_explain(...words(options), x, y, ...(mine ?? [-1, -1, -1]))),
   explainText: ({ options, x, y }) => answerOf(core._page_explain_text(...words(options), x, y)),

@@ -2,8 +2,9 @@
 // the page, default out/page. NATIVE: a native program, to compare pictures with.
 
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import test, { after, afterEach, before, beforeEach } from 'node:test';
 
@@ -849,6 +850,52 @@ test('explains a pixel and selects its line', async () => {
   await page.fill('#pixel-y', '1');
   await page.click('#explain-form button');
   await page.waitForSelector('text=the ray hits no object');
+});
+
+// A floor and a lamp above it.
+const room = {
+  'room.xml': `<scenefile>
+  <cameradata><pos x="0" y="1" z="5"/><focus x="0" y="0.5" z="0"/><up x="0" y="1" z="0"/><heightangle v="40"/></cameradata>
+  <object type="tree" name="root"><transblock><object type="primitive" name="mesh" filename="room.obj"/></transblock></object>
+</scenefile>
+`,
+  'room.obj': `mtllib room.mtl
+v -2 0 -2\nv 2 0 -2\nv 2 0 2\nv -2 0 2\nv -0.5 1.5 -0.5\nv 0.5 1.5 -0.5\nv 0.5 1.5 0.5\nv -0.5 1.5 0.5
+usemtl floor\nf 4 3 2 1\nusemtl lamp\nf 5 6 7 8\n`,
+  'room.mtl': 'newmtl floor\nKd 0.7 0.5 0.3\nnewmtl lamp\nKd 0 0 0\nKe 8 8 7\n',
+};
+
+test('a scene that only faces light is path-traced, like by the native program', { skip: skipNative }, async () => {
+  await page.goto(`${origin}/${linkOf({ name: 'room.xml', text: room['room.xml'], options: { profile: 1, features: -1, width: 40, height: 30 } })}`);
+  await drawn();
+  const { 'room.xml': text, ...others } = room;
+  await giveAndDraw(others);
+  assert.equal(await page.$eval('#mode', (select) => select.selectedOptions[0].label), 'path');
+  const folder = mkdtempSync(join(tmpdir(), 'scenefile-room-'));
+  try {
+    Object.entries(room).forEach(([name, content]) => writeFileSync(join(folder, name), content));
+    assert.ok((await page.evaluate(psnrOfCanvas, nativePicture(join(folder, 'room.xml'), '--size', '40x30'))) > 90);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+  await page.locator('#canvas').click();
+  await page.waitForSelector('text=The path of a sample');
+  await page.focus('#canvas');
+  await andDraw(() => page.keyboard.press('ArrowLeft'));
+  await andDraw(() => page.selectOption('#mode', { label: 'ray' })); // has no light
+  assert.equal((await canvasOf()).values, 2);
+});
+
+test('a path-traced picture gets better, and can be stopped', async () => {
+  await open();
+  await giveAndDraw({ 'more.xml': hello.replace('</lightdata>', '</lightdata>\n<!-- more -->') });
+  await page.selectOption('#mode', { label: 'path' });
+  await page.waitForFunction(() => /^([2-9]|\d\d) of 64 samples/.test(document.getElementById('progress').textContent));
+  const first = await pixels();
+  await until(async () => (await pixels()) !== first);
+  await page.click('#stop');
+  const { bytes } = await save('#save-png');
+  assert.equal(bytes.toString('latin1', 1, 4), 'PNG');
 });
 
 test('compares with a picture, names the mistake, and explains a pixel', async () => {

@@ -104,11 +104,20 @@ const char* page_path_add(int profile, int mode, int features, int width, int he
   });
 }
 
-/// The pixels to which page_path_add() added last. `white`: the largest of the picture's parts.
+/// The pixels to which page_path_add() added last; null if the answer is an error. `white`: the
+/// largest of the picture's parts.
 const std::uint8_t* page_path_pixels(double white) {
-  Image image = image_of(page().paths->state);
-  map_tones(image.rgb, Tone::course, 0, white);
-  return show(quantize(image, Rounding::nearest));
+  const std::uint8_t* pixels = nullptr;
+  answered([&]() -> std::string {
+    if (!page().paths) {
+      return error_json("the picture was not begun");
+    }
+    Image image = image_of(page().paths->state);
+    map_tones(image.rgb, Tone::course, 0, white);
+    pixels = show(quantize(image, Rounding::nearest));
+    return "{}";
+  });
+  return pixels;
 }
 
 /// The document of `scenefile explain --json` for a pixel of that picture. `red`, `green`, `blue`:

@@ -160,5 +160,5 @@ test('the panels work in Firefox', { skip }, async () => {
   await firefox.until(`${drawnCount} >= 2`);
   await firefox.until('document.getElementById("editor").shadowRoot.textContent.includes(\'<heightangle v="50"/>\')');
   assert.equal(await firefox.run('return document.getElementById("verdict").textContent'), 'no errors, no warnings');
-  assert.equal(await firefox.run('return document.activeElement.getAttribute("aria-label")'), 'Aspectratio');
+  assert.equal(await firefox.run('return document.activeElement.getAttribute("aria-label")'), 'Aperture');
 });

@@ -686,6 +686,13 @@ test('panels and completion count characters as the editor does', async () => {
   await page.waitForFunction(() => document.getElementById('editor').shadowRoot.querySelector('.cm-activeLine').textContent.trim() === '<transblock>');
   await andDraw(() => page.click('#edit-delete'));
   assert.equal(await wholeText(), edited);
+  await page.click('#show-text');
+  await type('<!-- \u{1F600}\u{1F600} --><scenefile>');
+  await page.keyboard.type('<li');
+  await page.waitForSelector('.cm-tooltip-autocomplete');
+  await page.waitForTimeout(150);
+  await page.keyboard.press('Enter');
+  assert.match(await textOf(), /--><scenefile><lightdata><\/lightdata>/);
 });
 
 test('panels show what the reader reads', async () => {

@@ -34,7 +34,7 @@ def chosen(bench, options):
             for index, mistake in enumerate(strange if name == "strange" else known):
                 first = (index + options.seed) % len(scenes)
                 order = scenes[first:] + scenes[:first]
-                if name != "jpeg" or index % 9 == 0:
+                if name != "jpeg" or index % 2 == 0:
                     yield name, [(s, (mistake,)) for s in order], options.per_mistake
         elif name == "clean":
             pairs = [(s, (h,)) for s in scenes for h in habits]

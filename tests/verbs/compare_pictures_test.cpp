@@ -1,5 +1,7 @@
 #include "scenefile/verbs/compare_pictures.h"
 
+#include "support/jpeg_bytes.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,6 +47,54 @@ TEST(ComparePictures, ProgressNeverGoesBack) {
   EXPECT_GT(progress.size(), 10u);
   EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
   EXPECT_TRUE(found.drawn_exactly);
+}
+
+// The ball with a highlight, larger, on a table.
+std::string still_life(const std::string& diffuse, const std::string& specular) {
+  return R"(<scenefile>
+<globaldata><ambientcoeff v="0.5"/><diffusecoeff v=")" +
+         diffuse + R"("/><specularcoeff v=")" + specular + R"("/></globaldata>
+<cameradata><pos x="0" y="1" z="4"/><look x="0" y="-0.2" z="-1"/><up x="0" y="1" z="0"/>
+<heightangle v="30"/></cameradata>
+<lightdata><type v="directional"/><color r="0.9" g="0.9" b="0.9"/>
+<direction x="-1" y="-1" z="-1"/></lightdata>
+<object type="tree" name="root"><transblock><scale x="1.5" y="1.5" z="1.5"/>
+<object type="primitive" name="sphere"><diffuse r="0.8" g="0.3" b="0.2"/>
+<ambient r="0.3" g="0.1" b="0.1"/><specular r="0.9" g="0.9" b="0.9"/><shininess v="20"/></object>
+</transblock><transblock><translate x="0" y="-0.8" z="0"/><scale x="4" y="0.1" z="4"/>
+<object type="primitive" name="cube"><diffuse r="0.4" g="0.5" b="0.6"/>
+<ambient r="0.1" g="0.1" b="0.1"/></object></transblock></object></scenefile>)";
+}
+
+// One mistake changes all surfaces, the other only the highlight, where the noise is large.
+TEST(ComparePictures, NamesMistakesInJpegs) {
+  const LoadedScene scene = load_scene("right.xml", still_life("0.5", "0.5"), {});
+  ASSERT_TRUE(scene.usable());
+  RenderOptions options = default_options(Profile::course);
+  options.width = 320;
+  options.height = 240;
+  const auto drawn = [&](const LoadedScene& one) {
+    return quantize(render(one.ready.scene, one.assets, options).image,
+                    rounding_of(options.profile));
+  };
+  const Texture reference = drawn(scene);
+  CompareSettings settings;
+  settings.ways = possible_ways(std::array{options}, false);
+  settings.lossy = true;
+  const auto causes = [&](const std::string& text, int quality) {
+    const Texture mine = drawn(load_scene("mine.xml", text, {}));
+    const Result<DecodedPicture> jpeg = decode_picture(testing_support::jpeg_of(mine, quality));
+    return compare_pictures(reference, jpeg->texture, &scene, settings).causes;
+  };
+  for (const int quality : {90, 75}) {
+    const CauseReport diffuse = causes(still_life("1", "0.5"), quality);
+    ASSERT_EQ(diffuse.claims.size(), 1u) << quality;
+    EXPECT_EQ(diffuse.claims.front().cause, Cause::diffuse);
+    const CauseReport specular = causes(still_life("0.5", "0"), quality);
+    ASSERT_EQ(specular.claims.size(), 1u) << quality;
+    EXPECT_EQ(specular.claims.front().cause, Cause::specular);
+    EXPECT_TRUE(causes(still_life("0.5", "0.5"), quality).claims.empty()) << quality;
+  }
 }
 
 }  // namespace

@@ -14,7 +14,6 @@ namespace {
 using glm::dvec3;
 
 constexpr double necessary = 0.01;         // share of the difference that each of several changes
-constexpr double rounding = 1.1;           // of two pictures, by truncating one or both
 constexpr double nearly_as_exact = 0.004;  // share of the differing pixels
 constexpr double complete = 0.97;          // share of the differing pixels that are right
 constexpr std::size_t max_shapes_to_edit = 2000;  // with more: no combinations of shape changes
@@ -74,12 +73,13 @@ bool is_telling(const dvec3& color) {
 // Several mistakes must be right within rounding, nearly as often as pixels without mistakes.
 bool explains_telling_pixels(const Simulation& sim, const Combination& mistakes) {
   const bool several = mistakes.size() > 1 && sim.usable;
-  const bool means = sim.view != nullptr && sim.view->samples > 1;  // of pixels with noise
-  const double exactly = means || any_fitted(sim, mistakes) ? 3 : 1.6;
+  const bool means = sim.has_noise();
+  const double exactly = any_fitted(sim, mistakes) ? 3 : std::max(1.6, sim.rounding());
   const double min_share = !several ? 0.5 : means ? 0.8 : 0.93;
   const auto right = [&](const Point& p, const dvec3& color) {
     const double limit = several ? exactly : std::min(right_within, 1 + 0.3 * largest_of(p.test));
-    return largest_of(glm::abs(glm::clamp(color, dvec3(0), dvec3(255)) - p.test)) <= limit;
+    return largest_of(glm::abs(glm::clamp(color, dvec3(0), dvec3(255)) - p.test)) <=
+           limit + p.noise;
   };
   const Colors colors = sim.predicted(mistakes, sim.points.size());
   const Colors& clean = sim.clean({}).reference;
@@ -229,7 +229,8 @@ bool leaves_only_rounding(const Simulation& sim, const Combination& mistakes) {
   for (std::size_t i = 0; i < count; ++i) {
     const Point& p = sim.points[i];
     const dvec3 c = glm::clamp(with[i], dvec3(0), dvec3(255));
-    const bool exactly = largest_of(glm::abs(c - p.test)) <= (twice ? rounding + 1 : rounding);
+    const bool exactly =
+        largest_of(glm::abs(c - p.test)) <= sim.rounding() + p.noise + (twice ? 1 : 0);
     if (mistakes.size() > 1 && exactly && !is_telling(p.test)) {
       continue;
     }
@@ -239,7 +240,7 @@ bool leaves_only_rounding(const Simulation& sim, const Combination& mistakes) {
       differs += p.weight;
     }
     // At edges, the neighbors' colors count as equal.
-    if (largest_of(p.high - p.low) > 2 * tolerance) {
+    if (largest_of(p.high - p.low) > 2 * (tolerance + p.noise)) {
       continue;
     }
     for (std::size_t k = 0; k < without_one.size(); ++k) {
@@ -261,7 +262,7 @@ bool leaves_only_rounding(const Simulation& sim, const Combination& mistakes) {
     return anywhere.value() >= min_share_at_edges &&
            (mistakes.size() == 1 || anywhere.all >= enough_of_group);
   }
-  const bool noisy = sim.view != nullptr && sim.view->samples > 1;
+  const bool noisy = sim.has_noise();
   const double at_best = noisy && unchanged.all >= enough_of_group ? unchanged.value() : 1;
   const auto enough_are_exact = [&](const Share& group, double min) {
     return group.all < enough_of_group || group.value() >= min * at_best;
@@ -438,7 +439,8 @@ Effect effect_of(const Simulation& sim, const Colors& with, const Colors& withou
     if (largest_of(glm::abs(a - b)) > right_within) {
       e.changed += p.weight;
       e.right += now;
-      e.within_rounding += largest_of(glm::abs(a - p.test)) <= rounding ? p.weight : 0;
+      e.within_rounding +=
+          largest_of(glm::abs(a - p.test)) <= sim.rounding() + p.noise ? p.weight : 0;
       e.gained += gain;
       e.shown += largest_of(p.test) > dark_up_to ? gain : 0;
     }

@@ -54,7 +54,8 @@ bool shows_bright_pixels(const Simulation& sim, const Tried& t) {
   std::vector<std::uint32_t> bright;
   for (std::uint32_t i = 0; 3 * i < sim.test.rgb.size(); ++i) {
     const std::uint8_t* p = &sim.test.rgb[3 * i];
-    if (std::max({p[0], p[1], p[2]}) > dark_up_to) {
+    if (std::max({p[0], p[1], p[2]}) > dark_up_to &&
+        (sim.noise().empty() || !std::isinf(sim.noise()[i]))) {
       bright.push_back(i);
     }
   }
@@ -67,7 +68,8 @@ bool shows_bright_pixels(const Simulation& sim, const Tried& t) {
   }
   std::mt19937 random(5);
   std::vector<Point> points;
-  add_points(sim.reference, sim.test, std::move(bright), max_points, true, false, random, points);
+  add_points(sim.reference, sim.test, std::move(bright), max_points, true, false, random, points,
+             sim.noise());
   const Trial trial = sim.trial_of(t.mistakes);
   const Colors colors = sim.finished(t.mistakes, sim.draw(trial, *sim.shapes_of(t.mistakes, trial),
                                                           points, points.size(), turn, nullptr));
@@ -106,7 +108,8 @@ bool breaks_right_pixels(const Simulation& sim, const Tried& t) {
   for (std::size_t i = 0; i < sim.points.size(); ++i) {
     const Point& p = sim.points[i];
     const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));
-    broken += !p.differs && largest_of(glm::abs(c - p.test)) > right_within ? p.weight : 0;
+    broken +=
+        !p.differs && largest_of(glm::abs(c - p.test)) > right_within + p.noise ? p.weight : 0;
   }
   return broken > 0.1 * sim.weight_that_differs(sim.points.size());
 }
@@ -665,11 +668,10 @@ double exact_share(const Simulation& sim, const PlacedCopy& copy) {
 
 CauseReport look_for_causes(Simulation& sim, LookFor asked) {
   // Compression and scaling lose details that could show that an edit is wrong.
-  const bool edited =
-      asked == LookFor::several_at_once && sim.view != nullptr && sim.view->samples == 1;
+  const bool edited = asked == LookFor::several_at_once && sim.view != nullptr && !sim.has_noise();
   LookFor look_for = asked;
   CauseReport report;
-  const Pixels pixels = sorted_pixels(sim.reference, sim.test);
+  const Pixels pixels = sim.sorted();
   const double all = static_cast<double>(sim.test.width) * sim.test.height;
   report.share_different = static_cast<double>(pixels.different.size()) / all;
   report.share_scene_unlike = sim.look_at_scene();
@@ -707,7 +709,8 @@ CauseReport look_for_causes(Simulation& sim, LookFor asked) {
     std::move(drawn.begin(), drawn.end(), std::back_inserter(sim.list));
   }
   std::mt19937 random(1);
-  add_differing_points(sim.reference, sim.test, pixels.different, 1200, random, sim.points);
+  add_differing_points(sim.reference, sim.test, pixels.different, 1200, random, sim.points,
+                       sim.noise());
   if (!undrawn && !copy) {
     if (std::optional<Claim> note = drop_other_samples(sim, pixels.different)) {
       report.notes.push_back(*std::move(note));
@@ -717,7 +720,8 @@ CauseReport look_for_causes(Simulation& sim, LookFor asked) {
   }
   sim.drop_what_samples_explain(true);
   const std::size_t different = sim.points.size();
-  add_points(sim.reference, sim.test, pixels.same, 400, false, false, random, sim.points);
+  add_points(sim.reference, sim.test, pixels.same, 400, false, false, random, sim.points,
+             sim.noise());
   sim.interleave(different);
   sim.prepare_clean();
   sim.first_fitted = sim.list.size();

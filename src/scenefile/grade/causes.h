@@ -90,6 +90,9 @@ struct SceneView {
   int samples = 1;  ///< of a pixel, across and down; more for pictures that were scaled down
   /// That `scene` refers to; needed with `written`.
   const std::vector<Source>* sources = nullptr;
+  /// By pixel of the picture, by how much compression may have changed its color, in 1/255;
+  /// infinite: the color is no evidence. Empty: there was no compression.
+  std::vector<float> noise = {};
 };
 
 struct CauseReport {

@@ -833,7 +833,7 @@ std::optional<RenderScene> ready_with_same_files(const RenderScene& scene, const
 }
 
 std::optional<Tried> find_edit_beside(Simulation& sim, const Combination& mistakes) {
-  return sim.shapes->parts.size() > max_parts || sim.view->samples > 1
+  return sim.shapes->parts.size() > max_parts || sim.has_noise()
              ? std::nullopt
              : Search(sim, mistakes, sim.rays + max_work_beside, sim.rays + max_work).run();
 }

@@ -66,7 +66,7 @@ double Correlation::value() const {
 
 void add_points(const Texture& reference, const Texture& test, std::vector<std::uint32_t> pixels,
                 std::size_t count, bool differs, bool strict, std::mt19937& random,
-                std::vector<Point>& points) {
+                std::vector<Point>& points, const std::vector<float>& noise) {
   const std::size_t all = pixels.size();
   count = std::min(count, all);
   for (std::size_t i = 0; i < count; ++i) {
@@ -83,8 +83,9 @@ void add_points(const Texture& reference, const Texture& test, std::vector<std::
     const bool exactly =
         strict || (of_reference.calm() && (differs || of_test.calm())) ||
         (differs && largest_of(outside(r, of_test.low, of_test.high)) <= 2 * tolerance);
-    p.low = (exactly ? p.test : of_test.low) - tolerance;
-    p.high = (exactly ? p.test : of_test.high) + tolerance;
+    p.noise = noise.empty() ? 0 : double{noise[pixels[i]]};
+    p.low = (exactly ? p.test : of_test.low) - tolerance - p.noise;
+    p.high = (exactly ? p.test : of_test.high) + tolerance + p.noise;
     p.weight = static_cast<double>(all) / static_cast<double>(count);
     p.differs = differs;
     points.push_back(p);
@@ -106,7 +107,8 @@ std::vector<Point> alternating(const std::vector<Point>& a, const std::vector<Po
 
 void add_differing_points(const Texture& reference, const Texture& test,
                           const std::vector<std::uint32_t>& pixels, std::size_t count,
-                          std::mt19937& random, std::vector<Point>& points) {
+                          std::mt19937& random, std::vector<Point>& points,
+                          const std::vector<float>& noise) {
   std::vector<std::uint32_t> dark;
   std::vector<std::uint32_t> bright;
   for (const std::uint32_t i : pixels) {
@@ -114,13 +116,13 @@ void add_differing_points(const Texture& reference, const Texture& test,
     (std::max({p[0], p[1], p[2]}) <= dark_up_to ? dark : bright).push_back(i);
   }
   if (bright.size() < 2 * few_pixels || bright.size() >= dark.size()) {
-    add_points(reference, test, pixels, count, true, false, random, points);
+    add_points(reference, test, pixels, count, true, false, random, points, noise);
     return;
   }
   std::vector<Point> of_dark;
   std::vector<Point> of_bright;
-  add_points(reference, test, dark, count / 2, true, false, random, of_dark);
-  add_points(reference, test, bright, count / 2, true, false, random, of_bright);
+  add_points(reference, test, dark, count / 2, true, false, random, of_dark, noise);
+  add_points(reference, test, bright, count / 2, true, false, random, of_bright, noise);
   const double half = double(pixels.size()) / 2;
   for (Point& p : of_dark) {
     p.weight *= half / double(dark.size());
@@ -132,7 +134,8 @@ void add_differing_points(const Texture& reference, const Texture& test,
   points.insert(points.end(), both.begin(), both.end());
 }
 
-Pixels sorted_pixels(const Texture& reference, const Texture& test) {
+Pixels sorted_pixels(const Texture& reference, const Texture& test,
+                     const std::vector<float>& noise) {
   Pixels pixels;
   for (int y = 0; y < test.height; ++y) {
     for (int x = 0; x < test.width; ++x) {
@@ -140,18 +143,22 @@ Pixels sorted_pixels(const Texture& reference, const Texture& test) {
       const std::uint8_t* t = test.texel(x, y);
       const auto index = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(test.width) +
                          static_cast<std::uint32_t>(x);
+      const float within = noise.empty() ? 0 : noise[index];
+      if (std::isinf(within)) {
+        continue;
+      }
       const int most =
           std::max({std::abs(r[0] - t[0]), std::abs(r[1] - t[1]), std::abs(r[2] - t[2])});
-      if (most > 4) {
+      if (most > 4 + within) {
         const Range of_test = around(test, x, y);
         const Range of_reference = around(reference, x, y);
         const double off =
             std::max(largest_of(outside(at(reference, x, y), of_test.low, of_test.high)),
                      largest_of(outside(at(test, x, y), of_reference.low, of_reference.high)));
-        if (off > 4) {
+        if (off > 4 + within) {
           pixels.different.push_back(index);
         }
-        if (most > right_within) {
+        if (most > right_within + within) {
           pixels.off.push_back(index);
         }
       } else {

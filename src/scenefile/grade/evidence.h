@@ -32,6 +32,7 @@ struct Point {
   glm::dvec3 test{0};
   glm::dvec3 low{0};  ///< values in [low, high] count as equal
   glm::dvec3 high{0};
+  double noise = 0;   ///< as SceneView::noise; [low, high] includes it
   double weight = 1;  ///< number of pixels that it represents
   bool differs = false;
 };
@@ -82,16 +83,18 @@ struct Pixels {
   std::vector<std::uint32_t> same;
   std::vector<std::uint32_t> off;  ///< pixels that differ by more than 8/255, including edges
 };
-Pixels sorted_pixels(const Texture& reference, const Texture& test);
+/// `noise`: as in SceneView. Pixels that are no evidence are left out.
+Pixels sorted_pixels(const Texture& reference, const Texture& test,
+                     const std::vector<float>& noise = {});
 
 /// Values up to this look black.
 inline constexpr double dark_up_to = 16;
 
 /// Adds points at pixels that are chosen at random, but reproducibly. `strict`: the test's own
-/// colors count at edges as well.
+/// colors count at edges as well. `noise`: as in SceneView.
 void add_points(const Texture& reference, const Texture& test, std::vector<std::uint32_t> pixels,
                 std::size_t count, bool differs, bool strict, std::mt19937& random,
-                std::vector<Point>& points);
+                std::vector<Point>& points, const std::vector<float>& noise = {});
 
 /// A point of `a`, one of `b`, and so on, and the rest of the longer one.
 std::vector<Point> alternating(const std::vector<Point>& a, const std::vector<Point>& b);
@@ -100,6 +103,7 @@ std::vector<Point> alternating(const std::vector<Point>& a, const std::vector<Po
 /// dark get half of the weight: any mistake that makes the others black explains them.
 void add_differing_points(const Texture& reference, const Texture& test,
                           const std::vector<std::uint32_t>& pixels, std::size_t count,
-                          std::mt19937& random, std::vector<Point>& points);
+                          std::mt19937& random, std::vector<Point>& points,
+                          const std::vector<float>& noise = {});
 
 }  // namespace scenefile

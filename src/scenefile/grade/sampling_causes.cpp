@@ -296,7 +296,7 @@ std::optional<Claim> drop_other_samples(Simulation& sim,
   constexpr std::size_t many_points = 6000;
   constexpr double plausible = 0.85;
   // Black is in the range of the samples of pixels that objects cover partly.
-  if (!sim.usable || sim.view->samples > 1 || sim.points.size() < few_pixels ||
+  if (!sim.usable || sim.has_noise() || sim.points.size() < few_pixels ||
       claim_of_missed_samples(sim)) {
     return std::nullopt;
   }
@@ -425,7 +425,8 @@ Tried with_edges(Simulation& sim, const Tried& found) {
   const bool other_camera = std::any_of(
       found.mistakes.begin(), found.mistakes.end(),
       [&](std::uint16_t i) { return sim.list[i].stage >= Stage::camera && i >= sim.first_fitted; });
-  if (!sim.usable || other_camera || found.mistakes.size() > 2) {
+  // Compression changes edges the most.
+  if (!sim.usable || other_camera || found.mistakes.size() > 2 || !sim.noise().empty()) {
     return found;
   }
   std::optional<std::uint16_t> more;

@@ -102,6 +102,15 @@ Colors Simulation::draw(const Trial& trial, const ModelShapes& drawn_shapes,
   return colors;
 }
 
+const std::vector<float>& Simulation::noise() const {
+  static const std::vector<float> none;
+  return view != nullptr ? view->noise : none;
+}
+
+Pixels Simulation::sorted() const {
+  return sorted_pixels(reference, test, noise());
+}
+
 double Simulation::look_at_scene() {
   if (view == nullptr) {
     return 1;

@@ -81,6 +81,14 @@ struct Simulation {
 
   /// Reports progress; false: stop.
   bool step(double done);
+  /// Whether compression or scaling changed the pictures' colors a little.
+  bool has_noise() const { return view != nullptr && (view->samples > 1 || !view->noise.empty()); }
+  /// Colors that differ by no more are equal, but for truncating one or both, or compression.
+  double rounding() const { return has_noise() ? 3 : 1.1; }
+  /// SceneView::noise, also without a view.
+  const std::vector<float>& noise() const;
+  /// sorted_pixels() of the pictures.
+  Pixels sorted() const;
   /// The center of the pixel, as a position in the pictures before the turn.
   glm::dvec2 middle(const Point& p, const Turn& turn) const;
   /// The size of the picture of the scene, of which the pictures may be a part.

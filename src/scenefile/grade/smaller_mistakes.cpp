@@ -31,8 +31,9 @@ std::size_t look_at_rest(Simulation& sim, const Pixels& pixels, const Combinatio
   std::mt19937 random(9);
   sim.points.clear();
   add_points(sim.reference, sim.test, pixels.different, max_different, true, false, random,
-             sim.points);
-  add_points(sim.reference, sim.test, pixels.same, max_same, false, false, random, sim.points);
+             sim.points, sim.noise());
+  add_points(sim.reference, sim.test, pixels.same, max_same, false, false, random, sim.points,
+             sim.noise());
   sim.prepare_clean();
   const auto [rest, explained] = wrong_and_right(sim, mistakes);
   sim.points = alternating(some_of(rest, max_rest), some_of(explained, max_explained));

@@ -13,6 +13,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <set>
 
@@ -75,11 +76,12 @@ struct Part {
   glm::dvec2 whole{0};
   glm::dvec2 corner{0};
   int samples = 1;
+  std::vector<float> noise = {};
 };
 
 SceneView view_of(const LoadedScene& scene, const DrawnWay& way, const Part& part = {}) {
-  return {&scene.ready.scene, &scene.assets, way.options,  &scene.written,      way.words,
-          part.whole,         part.corner,   part.samples, &scene.ready.sources};
+  return {&scene.ready.scene, &scene.assets, way.options,  &scene.written,       way.words,
+          part.whole,         part.corner,   part.samples, &scene.ready.sources, part.noise};
 }
 
 // Finds the region where the pictures differ most. `way`: how the scene is drawn, or null.
@@ -164,6 +166,62 @@ Looked without_noise(const Looked& look) {
   };
   const glm::dvec2 whole = part.whole.x > 0 ? part.whole : glm::dvec2(test.width, test.height);
   return {smaller(reference), smaller(test), {whole / double(k), part.corner / double(k), 2}};
+}
+
+// By pixel, the contrast in its block of 16x16 pixels, in which a JPEG compresses colors together.
+std::vector<float> contrast_of_blocks(const Texture& picture) {
+  constexpr int side = 16;
+  std::vector<float> contrast(std::size_t(picture.width) * picture.height);
+  for (int top = 0; top < picture.height; top += side) {
+    for (int left = 0; left < picture.width; left += side) {
+      const int right = std::min(left + side, picture.width);
+      const int bottom = std::min(top + side, picture.height);
+      std::array<std::uint8_t, 3> low{255, 255, 255};
+      std::array<std::uint8_t, 3> high{0, 0, 0};
+      for (int y = top; y < bottom; ++y) {
+        for (int x = left; x < right; ++x) {
+          for (std::size_t c = 0; c < 3; ++c) {
+            low[c] = std::min(low[c], picture.texel(x, y)[c]);
+            high[c] = std::max(high[c], picture.texel(x, y)[c]);
+          }
+        }
+      }
+      const int most = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+      for (int y = top; y < bottom; ++y) {
+        const auto row = contrast.begin() + std::ptrdiff_t(y) * picture.width;
+        std::fill(row + left, row + right, static_cast<float>(most));
+      }
+    }
+  }
+  return contrast;
+}
+
+// Only the pixels that compression as a JPEG has hardly changed, because there is little contrast
+// near them: of 100, one is off by more than 5/255.
+Looked in_calm_blocks(const Looked& look) {
+  constexpr float low_contrast = 20;
+  Looked calm = look;
+  calm.part.noise = contrast_of_blocks(look.test);
+  for (float& noise : calm.part.noise) {
+    noise = noise <= low_contrast ? 0 : std::numeric_limits<float>::infinity();
+  }
+  return calm;
+}
+
+// All pixels, as means in which the noise is small; where there is contrast, some of it is left.
+Looked with_noise_of_blocks(const Looked& look) {
+  constexpr float share_of_contrast = 0.1F;  // of nine in ten means of 2x2 pixels, at quality 90
+  Looked means = without_noise(look);
+  const std::vector<float> contrast = contrast_of_blocks(look.test);
+  const int k = look.test.width / means.test.width;
+  means.part.noise.reserve(std::size_t(means.test.width) * means.test.height);
+  for (int y = 0; y < means.test.height; ++y) {
+    for (int x = 0; x < means.test.width; ++x) {
+      means.part.noise.push_back(share_of_contrast *
+                                 contrast[std::size_t(k * y) * look.test.width + k * x]);
+    }
+  }
+  return means;
 }
 
 // Whether a report only names some of the mistakes that another one names, and explains less.
@@ -353,11 +411,24 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
   }
   const DrawnWay* way = &ways.front();
   const Looked as_it_is{reference, test, part};
-  found.causes = causes_of(noisy ? without_noise(as_it_is) : as_it_is, *scene, ways, go_on,
-                           LookFor::several_at_once, way);
+  const auto nothing_found = [&] {
+    return found.scene_fits() && found.causes.claims.empty() && found.causes.notes.empty();
+  };
+  LookFor look_for = LookFor::several_at_once;
+  if (settings.lossy) {
+    found.causes = causes_of(in_calm_blocks(as_it_is), *scene, ways, go_on, look_for, way);
+    found.causes.route.insert(0, found.causes.route.empty() ? "" : "calm+");
+    look_for = explains_nothing(found.causes) ? LookFor::single_mistakes : look_for;
+  }
+  if (!settings.lossy || nothing_found()) {
+    found.causes = causes_of(settings.lossy ? with_noise_of_blocks(as_it_is)
+                             : noisy        ? without_noise(as_it_is)
+                                            : as_it_is,
+                             *scene, ways, go_on, look_for, way);
+  }
   found.other_outlines = explains_nothing(found.causes) && found.causes.partial.empty() &&
                          have_other_outlines(reference, test);
-  if (settings.lossy && explains_nothing(found.causes) && found.causes.partial.empty() &&
+  if (settings.lossy && nothing_found() && found.causes.partial.empty() &&
       differ_by_compression(reference, test)) {
     found.causes.notes.push_back(
         {Cause::samples, "the colors are as inexact as those of JPEGs", {}, 1});

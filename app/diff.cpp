@@ -4,6 +4,7 @@
 #include "app/load.h"
 #include "app/load_picture.h"
 #include "app/named_files.h"
+#include "app/option_table.h"
 #include "app/output.h"
 #include "app/progress.h"
 #include "app/wrap.h"
@@ -92,20 +93,21 @@ std::string measures_text(const PictureMeasures& m, int threshold) {
       m.linear ? "  as 8-bit pictures:\n" : "", m.ssim, m.flip_mean, m.flip_max);
 }
 
-// The options of diff that explain needs to draw the same picture.
-std::string reading_options(const Options& options) {
-  std::string text;
-  const auto add = [&](const std::string& word) { text += (text.empty() ? "" : " ") + word; };
-  if (was_given(options, "--compat")) {
-    add("--compat course");
+// Explains a pixel of the second picture with what was found.
+std::string explain_command(const Options& options, const glm::ivec2& pixel) {
+  static constexpr std::array<std::string_view, 8> same{
+      "--profile", "--features",   "--mode",          "--max-depth",
+      "--compat",  "--asset-root", "--allow-outside", "--layer"};
+  const auto word = [](const std::string& text) { return escaped(shell_word(text), 4096); };
+  std::string command = fmt::format("scenefile explain {} --pixel {},{} --reference {} --mine {}",
+                                    word(options.scene), pixel.x, pixel.y,
+                                    word(options.arguments[0]), word(options.arguments[1]));
+  for (const auto& [row, value] : options.given) {
+    if (std::find(same.begin(), same.end(), row->name) != same.end()) {
+      command += fmt::format(" {}", row->name) + (value.empty() ? "" : ' ' + word(value));
+    }
   }
-  for (const std::string& root : options.access.roots) {
-    add("--asset-root " + escaped(shell_word(root), 4096));
-  }
-  if (options.access.allow_outside) {
-    add("--allow-outside");
-  }
-  return text;
+  return command;
 }
 
 // Wraps long lines for terminals, except commands, which are copied. Elsewhere, a line stays one.
@@ -134,10 +136,10 @@ std::string verdict_text(const PictureComparison& found, const Options& options)
   for (const std::string& clause : found.broken) {
     text += fmt::format("different: {}\n", clause);
   }
-  return text.empty()
-             ? "the same within the thresholds\n"
-             : text + causes_text(found) +
-                   where_text(found, options.scene, options.arguments[1], reading_options(options));
+  return text.empty() ? "the same within the thresholds\n"
+                      : text + causes_text(found) + where_text(found, [&](const glm::ivec2& pixel) {
+                          return explain_command(options, pixel);
+                        });
 }
 
 // `scene`: that of --scene, or null. `found`: null if an input cannot be used.
@@ -195,19 +197,6 @@ void report_scene_input(const PictureInput& input, LoadedPicture& loaded,
   }
 }
 
-PictureComparison compare(const LoadedPicture& a, const LoadedPicture& b, const LoadedScene* scene,
-                          const Options& options, Context& context) {
-  context.phase = "comparing the pictures";
-  ProgressBar bar(!options.quiet && !options.json && wants_progress());
-  CompareSettings settings = compare_settings(options);
-  settings.lossy = a.picture.jpeg || b.picture.jpeg;
-  settings.ways = folder_first(a.path, std::move(settings.ways));
-  return compare_pictures(a.picture, b.picture, scene, settings, [&](double done) {
-    bar.update(done);
-    return true;
-  });
-}
-
 // The first one is the reference.
 ExitCode diff_images(const Options& options, std::vector<PictureInput> inputs, Context& context) {
   if (const Outcome refused = check_named_outputs(options); refused.status != ExitCode::fine) {
@@ -252,7 +241,7 @@ ExitCode diff_images(const Options& options, std::vector<PictureInput> inputs, C
   }
   round_alike(a.picture, b.picture);
   const LoadedScene* const shown = scene ? &*scene : nullptr;
-  const PictureComparison found = compare(a, b, shown, options, context);
+  const PictureComparison found = compare_loaded(a, b, shown, options, context);
   // Prepares the output before writing files, so that nothing can fail afterwards.
   const std::string text = options.json ? json_text(a, b, shown, &found)
                            : options.quiet

@@ -9,28 +9,40 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <optional>
+#include <utility>
+
 namespace scenefile::app {
 
 namespace {
 
-// If no size is given, the picture of --mine determines it. Returns an error message.
-ExitCode load_mine(Options& options, LoadedPicture& mine, Context& context) {
+// Reads --mine and --reference. Without --size and --reference, --mine determines the size.
+ExitCode load_pictures(Options& options, LoadedPicture& mine, LoadedPicture& reference,
+                       Context& context) {
   if (options.mine.empty()) {
     return ExitCode::fine;
   }
   mine = load_picture({options.mine}, options.layer, context);
-  if (!mine.error.empty()) {
-    say_error(mine.error);
-    return mine.status;
+  if (!options.reference.empty()) {
+    reference = load_picture({options.reference}, options.layer, context);
+  }
+  for (const LoadedPicture* picture : {&mine, &reference}) {
+    if (!picture->error.empty()) {
+      say_error(picture->error);
+      return picture->status;
+    }
   }
   const Texture& picture = mine.picture.texture;
   if (!was_given(options, "--size")) {
     options.render.width = picture.width;
     options.render.height = picture.height;
   } else if (options.render.width != picture.width || options.render.height != picture.height) {
-    say_error(fmt::format("{} is {}x{}, and --size says {}x{}", quoted(options.mine, 400),
-                          picture.width, picture.height, options.render.width,
-                          options.render.height));
+    say_error(
+        fmt::format("{} is {}x{}, and --size says {}x{}; for a part of a picture or a "
+                    "screenshot, --reference PICTURE finds the place",
+                    quoted(options.mine, 400), picture.width, picture.height, options.render.width,
+                    options.render.height));
     return ExitCode::usage;
   }
   if (options.pixel->x >= picture.width || options.pixel->y >= picture.height) {
@@ -41,27 +53,80 @@ ExitCode load_mine(Options& options, LoadedPicture& mine, Context& context) {
   return ExitCode::fine;
 }
 
+// Zeros if there is no picture.
+std::array<std::uint8_t, 3> value_at(const Texture& picture, const PixelPlace& pixel) {
+  if (picture.empty()) {
+    return {};
+  }
+  const std::uint8_t* const v = picture.texel(pixel.x, pixel.y);
+  return {v[0], v[1], v[2]};
+}
+
+// Compares the pictures, and sets the options to those of the picture of the scene.
+Result<PictureComparison> compare_whole(Options& options, LoadedPicture& reference,
+                                        LoadedPicture& mine, const LoadedScene& scene,
+                                        Context& context) {
+  round_alike(reference.picture, mine.picture);
+  PictureComparison found = compare_loaded(reference, mine, &scene, options, context,
+                                           glm::ivec2(options.pixel->x, options.pixel->y));
+  if (!found.asked) {
+    return Error{found.measures.same_size
+                     ? fmt::format("--pixel: {},{} is outside of the part of {} that shows the "
+                                   "scene: {}",
+                                   options.pixel->x, options.pixel->y, quoted(options.mine, 400),
+                                   found.broken.front())
+                     : found.broken.front(),
+                 ErrorKind::input};
+  }
+  if (!found.drawn_with.empty()) {
+    options.render = found.drawn_options;
+  }
+  options.render.width = found.asked_of.x;
+  options.render.height = found.asked_of.y;
+  options.pixel = {found.asked->x, found.asked->y};
+  return found;
+}
+
 }  // namespace
 
 ExitCode run_explain(const Options& given, Context& context) {
   Options options = given;
   LoadedPicture mine;
-  if (const ExitCode status = load_mine(options, mine, context); status != ExitCode::fine) {
+  LoadedPicture reference;
+  if (const ExitCode status = load_pictures(options, mine, reference, context);
+      status != ExitCode::fine) {
     return status;
   }
-  LoadedScene scene = load_for_tracing(options, context);
+  const bool whole = !options.reference.empty();
+  LoadedScene scene = whole ? load_scene_of_pictures(options.arguments.front(), options, context)
+                            : load_for_tracing(options, context);
   const std::optional<RealtimeOptions> realtime = realtime_options(options);
   if (realtime && status_of(scene) == ExitCode::fine) {
     check_realtime(*realtime, scene);
   }
-  if (!options.json) {
+  if (!options.json && !whole) {
     say(findings_text(scene, options.quiet ? Verbosity::errors : Verbosity::warnings,
                       wants_color(Stream::chatter)));
   }
+  const auto failed = [&](const Outcome& outcome) {
+    if (options.json) {
+      return worse(outcome.status,
+                   answer(explain_json(scene, options.render, nullptr, outcome.error, realtime)));
+    }
+    say_error(outcome.error);
+    return outcome.status;
+  };
   if (const ExitCode status = status_of(scene); status != ExitCode::fine) {
-    return options.json ? worse(status, answer(explain_json(scene, options.render, nullptr,
-                                                            "the scene cannot be used", realtime)))
-                        : status;
+    return options.json ? failed({status, "the scene cannot be used"}) : status;
+  }
+  const std::array value = value_at(mine.picture.texture, *options.pixel);
+  std::optional<PictureComparison> found;
+  if (whole) {
+    Result<PictureComparison> compared = compare_whole(options, reference, mine, scene, context);
+    if (!compared) {
+      return failed(outcome_of(compared.error(), context));
+    }
+    found = *std::move(compared);
   }
   context.phase = "tracing";
   Result<ExplainReport> report =
@@ -71,17 +136,12 @@ ExitCode run_explain(const Options& given, Context& context) {
           : explain_pixel(scene, options.render, options.pixel->x, options.pixel->y,
                           options.sample);
   if (!report) {
-    const Outcome outcome = outcome_of(report.error(), context);
-    if (options.json) {
-      return worse(outcome.status,
-                   answer(explain_json(scene, options.render, nullptr, outcome.error, realtime)));
-    }
-    say_error(outcome.error);
-    return outcome.status;
+    return failed(outcome_of(report.error(), context));
   }
-  if (!options.mine.empty()) {
-    const std::uint8_t* const v = mine.picture.texture.texel(options.pixel->x, options.pixel->y);
-    add_yours(scene, {v[0], v[1], v[2]}, *report);
+  if (found) {
+    add_compared(scene, value, *std::move(found), *report);
+  } else if (!options.mine.empty()) {
+    add_yours(scene, value, *report);
   }
   if (options.json) {
     return answer(explain_json(scene, options.render, &*report));

@@ -2,6 +2,7 @@
 
 #include "app/load.h"
 #include "app/output.h"
+#include "app/progress.h"
 #include "app/realtime.h"
 #include "scenefile/asset/image_file.h"
 #include "scenefile/base/report.h"
@@ -65,6 +66,21 @@ CompareSettings compare_settings(const Options& options) {
   }
   settings.ways = possible_ways(possible_profiles(options), was_given(options, "--features"));
   return settings;
+}
+
+PictureComparison compare_loaded(const LoadedPicture& a, const LoadedPicture& b,
+                                 const LoadedScene* scene, const Options& options, Context& context,
+                                 std::optional<glm::ivec2> asked) {
+  context.phase = "comparing the pictures";
+  ProgressBar bar(!options.quiet && !options.json && wants_progress());
+  CompareSettings settings = compare_settings(options);
+  settings.asked = asked;
+  settings.lossy = a.picture.jpeg || b.picture.jpeg;
+  settings.ways = folder_first(a.path, std::move(settings.ways));
+  return compare_pictures(a.picture, b.picture, scene, settings, [&](double done) {
+    bar.update(done);
+    return true;
+  });
 }
 
 PictureInput read_ahead(const std::string& path) {

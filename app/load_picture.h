@@ -38,6 +38,12 @@ std::vector<RenderOptions> possible_profiles(const Options& options);
 /// The settings of diff and grade.
 CompareSettings compare_settings(const Options& options);
 
+/// Looks for causes as diff does, in pictures without errors. The first one is the reference.
+/// `asked`: CompareSettings::asked.
+PictureComparison compare_loaded(const LoadedPicture& a, const LoadedPicture& b,
+                                 const LoadedScene* scene, const Options& options, Context& context,
+                                 std::optional<glm::ivec2> asked = {});
+
 /// Reads the file, unless it may be readable only once, such as standard input.
 PictureInput read_ahead(const std::string& path);
 /// Whether the file is a picture, by its first bytes, or by its name if it does not begin like a

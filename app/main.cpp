@@ -135,6 +135,7 @@ constexpr std::array command_rows{
             "scenefile explain chess.xml --pixel 320,240 --size 640x480\n"
             "scenefile explain chess.xml --pixel 320,240 --profile course --sample 2\n"
             "scenefile explain chess.xml --pixel 320,240 --profile course --mine mine.png\n"
+            "scenefile explain chess.xml --pixel 320,240 --reference right.png --mine mine.png\n"
             "scenefile explain chess.xml --pixel 320,240 --json",
             run_explain},
     Command{

@@ -435,6 +435,15 @@ constexpr std::array option_rows{
               set_name<&Options::mine>,
               "",
               {.path = false}},
+    OptionRow{"--reference",
+              "",
+              "PICTURE",
+              "The correct picture, next to --mine: look for the mistake in the whole picture, as "
+              "diff does, and show the pixel's terms with it.",
+              for_explain,
+              set_name<&Options::reference>,
+              "",
+              {.gl = false, .path = false}},
     OptionRow{"--layer", "", "NAME", "The layer to read of EXR pictures that have several.",
               for_pictures | for_explain | for_view, set_name<&Options::layer>},
     OptionRow{

@@ -127,6 +127,10 @@ std::string check_pixel(const Options& options) {
   if (!options.pixel.has_value()) {
     return "explain needs a pixel: --pixel X,Y";
   }
+  if (!options.reference.empty() && (options.mine.empty() || was_given(options, "--size"))) {
+    return options.mine.empty() ? "--reference needs your picture: --mine PICTURE"
+                                : "--size: with --reference, the pictures determine the size";
+  }
   const auto [x, y] = *options.pixel;
   // With --mine, the picture determines the size, but it has not been read yet.
   return !options.mine.empty() || (x < options.render.width && y < options.render.height)

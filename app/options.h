@@ -92,7 +92,7 @@ struct Options {
   int segments = 64;  ///< per full turn of round shapes, in formats that only have triangles
   std::optional<PixelPlace> pixel;
   std::optional<std::uint32_t> sample;  ///< the sample to describe in full
-  std::string reference;                ///< view: the right picture
+  std::string reference;                ///< view, explain: the right picture
   std::string mine;                     ///< the picture of another program
   std::string layer;                    ///< of EXR files with layers that are read
 

@@ -82,7 +82,7 @@ std::string cause_text(const viewer::CauseQuestion& question, const Options& opt
   if (found.measures.same_size && !found.other_size() && found.measures.difference.max == 0) {
     return "equal\n";
   }
-  return causes_text(found) + where_text(found, {}, {});  // a click explains a pixel
+  return causes_text(found) + where_text(found);  // a click explains a pixel
 }
 
 }  // namespace

@@ -309,12 +309,36 @@ TEST_F(DiffImages, TheCommandToTryDrawsTheSamePicture) {
       in_folder({"diff", "right.png", "wrong.png", "--scene", "ball.xml", "--profile", "course",
                  "--features", "texture,shadows", "--max-depth", "2", "--asset-root", "."})
           .out,
-      HasSubstr(" --size 64x48 --profile course --max-depth 2 --features shadows,texture "
-                "--asset-root . --mine wrong.png\n"));
+      HasSubstr(" --reference right.png --mine wrong.png --profile course --features "
+                "texture,shadows --max-depth 2 --asset-root .\n"));
   EXPECT_THAT(in_folder({"diff", "right.png", "wrong.png", "--scene", "ball.xml", "--profile",
                          "fine", "--features", "intersect"})
                   .out,
               HasSubstr("as drawn with --profile fine --features intersect\n"));
+}
+
+TEST_F(DiffImages, ExplainSaysWhatDiffSays) {
+  const std::string said = in_folder({"diff", "right.png", "wrong.png", "--scene", "ball.xml"}).out;
+  const std::size_t start = said.find("--pixel ") + 8;
+  Words words{
+      "explain",     "ball.xml",  "--pixel", said.substr(start, said.find(' ', start) - start),
+      "--reference", "right.png", "--mine",  "wrong.png"};
+  const std::string explained = in_folder(words).out;
+  const std::size_t cause = said.find("cause: ");
+  ASSERT_NE(cause, std::string::npos) << said;
+  EXPECT_THAT(explained,
+              AllOf(HasSubstr(said.substr(cause, said.find('\n', cause) - cause)),
+                    HasSubstr("ours with this mistake = "), HasSubstr("as yours"),
+                    HasSubstr("reference: as drawn with "), HasSubstr("profile course")));
+  words.emplace_back("--json");
+  const rapidjson::Document document = parse_json(in_folder(words).out);
+  EXPECT_TRUE(document["pixel"]["yours"]["compared"]["explained"].GetBool());
+  EXPECT_THAT(in_folder({"explain", "ball.xml", "--pixel", "1,1", "--reference", "right.png"}).err,
+              HasSubstr("--reference needs your picture: --mine PICTURE"));
+  EXPECT_THAT(in_folder({"explain", "ball.xml", "--pixel", "1,1", "--reference", "right.png",
+                         "--mine", "wrong.png", "--size", "64x48"})
+                  .err,
+              HasSubstr("the pictures determine the size"));
 }
 
 TEST_F(DiffImages, AReferenceIsSaidToBeDrawnWithItsSamples) {
@@ -342,7 +366,8 @@ TEST_F(DiffImages, OtherSizesAndFiles) {
   EXPECT_THAT(
       cause.out,
       AllOf(HasSubstr("expected 32x24; compared with our picture of the scene at that size"),
-            HasSubstr("cause: the ambient term is added twice"), HasSubstr("--size 64x48 ")));
+            HasSubstr("cause: the ambient term is added twice"),
+            HasSubstr(" --reference small.png --mine wrong.png\n")));
   EXPECT_TRUE(std::filesystem::exists(folder.path("map.png")));
   draw("ball.xml", "tall.png", "32x48");
   const ProgramRun shape =
@@ -484,10 +509,9 @@ TEST_F(DiffImages, ReadsEachPictureOnce) {
 
 TEST_F(DiffImages, NamesTheWorstRegion) {
   const ProgramRun run = in_folder({"diff", "right.png", "wrong.png", "--scene", "ball.xml"});
-  EXPECT_THAT(run.out,
-              AllOf(HasSubstr("worst: "), HasSubstr("it shows root"),
-                    HasSubstr("try: scenefile explain ball.xml --pixel "),
-                    HasSubstr(" --size 64x48 --profile "), HasSubstr(" --mine wrong.png")));
+  EXPECT_THAT(run.out, AllOf(HasSubstr("worst: "), HasSubstr("it shows root"),
+                             HasSubstr("try: scenefile explain ball.xml --pixel "),
+                             HasSubstr(" --reference right.png --mine wrong.png")));
   EXPECT_THAT(in_folder({"diff", "right.png", "wrong.png"}).out, HasSubstr("look at pixel "));
   const rapidjson::Document document = parse_json(
       in_folder({"diff", "--json", "right.png", "wrong.png", "--scene", "ball.xml"}).out);

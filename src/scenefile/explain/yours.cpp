@@ -20,60 +20,6 @@ dvec3 clamped(const dvec3& color) {
   return glm::clamp(color, dvec3(0), dvec3(1));
 }
 
-// The terms that one light contributes.
-struct LightTerms {
-  std::uint32_t light = 0;
-  dvec3 diffuse{0};  // without shadows
-  dvec3 specular{0};
-  dvec3 hidden{0};  // removed by shadows
-};
-
-struct Terms {
-  dvec3 ambient{0};
-  std::vector<LightTerms> lights;
-  dvec3 mirror{0};
-  dvec3 glass{0};
-
-  dvec3 diffuse() const { return sum(&LightTerms::diffuse); }
-  dvec3 specular() const { return sum(&LightTerms::specular); }
-  dvec3 hidden() const { return sum(&LightTerms::hidden); }
-  dvec3 all() const { return ambient + diffuse() + specular() + mirror + glass; }
-
- private:
-  dvec3 sum(dvec3 LightTerms::*part) const {
-    dvec3 total(0);
-    for (const LightTerms& l : lights) {
-      total += l.*part;
-    }
-    return total;
-  }
-};
-
-Terms terms_of(const PixelRecord& pixel) {
-  const RayRecord& ray = pixel.rays.front();
-  Terms terms;
-  terms.ambient = dvec3(ray.ambient);
-  for (const LightRecord& record : ray.lights) {
-    LightTerms l;
-    l.light = record.light;
-    for (const LightSample& s : record.samples) {
-      const dvec3 seen = dvec3(s.color) * dvec3(s.visibility) / double(record.taken);
-      const dvec3 lost = dvec3(s.color) * (1.0 - dvec3(s.visibility)) / double(record.taken);
-      l.diffuse += dvec3(s.diffuse) * seen;
-      l.specular += dvec3(s.specular) * seen;
-      l.hidden += (dvec3(s.diffuse) + dvec3(s.specular)) * lost;
-    }
-    terms.lights.push_back(l);
-  }
-  for (const auto& [branch, term] :
-       {std::pair(&ray.mirror, &terms.mirror), std::pair(&ray.glass, &terms.glass)}) {
-    if (branch->fate == Fate::followed) {
-      *term = dvec3(branch->factor) * dvec3(pixel.rays[branch->ray].color);
-    }
-  }
-  return terms;
-}
-
 // Our color with a known mistake.
 struct Variant {
   std::string what;
@@ -298,6 +244,38 @@ std::vector<dvec3> changed_colors(std::vector<dvec3> colors,
 }
 
 }  // namespace
+
+Terms terms_of(const PixelRecord& pixel) {
+  Terms terms;
+  if (pixel.rays.empty()) {
+    return terms;
+  }
+  const RayRecord& ray = pixel.rays.front();
+  terms.ambient = dvec3(ray.ambient);
+  for (const LightRecord& record : ray.lights) {
+    LightTerms l;
+    l.light = record.light;
+    for (const LightSample& s : record.samples) {
+      const dvec3 seen = dvec3(s.color) * dvec3(s.visibility) / double(record.taken);
+      const dvec3 lost = dvec3(s.color) * (1.0 - dvec3(s.visibility)) / double(record.taken);
+      l.diffuse += dvec3(s.diffuse) * seen;
+      l.specular += dvec3(s.specular) * seen;
+      l.hidden += (dvec3(s.diffuse) + dvec3(s.specular)) * lost;
+    }
+    terms.lights.push_back(l);
+  }
+  for (const auto& [branch, term] :
+       {std::pair(&ray.mirror, &terms.mirror), std::pair(&ray.glass, &terms.glass)}) {
+    if (branch->fate == Fate::followed) {
+      *term = dvec3(branch->factor) * dvec3(pixel.rays[branch->ray].color);
+    }
+  }
+  return terms;
+}
+
+bool gives_value(const dvec3& color, const std::array<std::uint8_t, 3>& value) {
+  return fits(color, dvec3(value[0], value[1], value[2]));
+}
 
 Yours compare_with_yours(const RenderScene& scene, std::span<const PixelRecord> records,
                          const PixelOf& pixel_of, const std::array<std::uint8_t, 3>& value) {

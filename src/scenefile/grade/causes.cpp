@@ -237,6 +237,7 @@ void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& 
            const std::vector<Tried>& several, CauseReport& report) {
   const Simulation::Base b = sim.base(sim.points.size());
   const double values = 3.0 * sim.test.width * sim.test.height;
+  report.asked = sim.asked(found.mistakes);
   for (const std::uint16_t i : found.mistakes) {
     Claim one{sim.list[i].cause, sim.list[i].what, {}, found.explained};
     if (found.mistakes.size() == 1) {
@@ -599,6 +600,7 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
     }
     report.claims.clear();
     report.rivals.clear();
+    report.asked.reset();
   }
   if (look_for == LookFor::several_at_once && !sim.stopped) {
     report.confined = confined_to(sim);
@@ -613,6 +615,7 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
       report.partial.push_back({h.cause, h.what,
                                 evidence_of_share(t.explained) + "; something else is wrong, too",
                                 t.explained});
+      report.asked = sim.asked(t.mistakes);
       return;
     }
   }
@@ -748,6 +751,7 @@ CauseReport look_for_causes(Simulation& sim, LookFor asked) {
   }
   if (undrawn) {
     if (report.claims.empty()) {
+      report.asked.reset();
       report.claims.push_back(*std::move(undrawn));
       sim.route = "undrawn";
     }
@@ -757,10 +761,15 @@ CauseReport look_for_causes(Simulation& sim, LookFor asked) {
     if (report.claims.empty() || report.claims.front().explained < 0.98) {
       report.claims.clear();
       report.rivals.clear();
+      report.asked.reset();
       // A camera that is turned a little shifts the picture, but not by whole pixels everywhere.
       if (!edited || exact_share(sim, *copy) >= nearly_all ||
           !claim_edited_scene(sim, {}, report)) {
         report.claims = {std::move(copy->claim)};
+        if (sim.view != nullptr && sim.view->asked) {
+          const glm::ivec2 place(*sim.view->asked);
+          report.asked.emplace().color = copy->color(place.x, place.y);
+        }
         sim.route = "copy";
       }
     }
@@ -774,6 +783,7 @@ CauseReport look_for_causes(Simulation& sim, LookFor asked) {
       sim.route = "missed-samples";
     }
     if (found) {
+      report.asked.reset();
       report.claims.push_back(*std::move(found));
     } else if (sim.usable) {
       claim_small_changes(sim, pixels, edited, likely, report);
@@ -791,7 +801,9 @@ std::optional<CauseReport> causes_beside_order(const Texture& reference, const T
   if (!reordered) {
     return std::nullopt;
   }
-  Simulation sim{reference, reordered->picture, &view, go_on};
+  SceneView in_order = view;
+  in_order.asked.reset();  // a pixel of the test is elsewhere in that picture
+  Simulation sim{reference, reordered->picture, &in_order, go_on};
   CauseReport rest = look_for_causes(sim, LookFor::several_at_once);
   rest.route = "order+" + sim.route;
   rest.rays = sim.rays;

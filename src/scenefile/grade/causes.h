@@ -93,6 +93,24 @@ struct SceneView {
   /// By pixel of the picture, by how much compression may have changed its color, in 1/255;
   /// infinite: the color is no evidence. Empty: there was no compression.
   std::vector<float> noise = {};
+  /// A place in the pictures, in their pixels, for CauseReport::asked.
+  std::optional<glm::dvec2> asked = std::nullopt;
+};
+
+/// Light of a light, in 1/255.
+struct LightParts {
+  glm::dvec3 diffuse{0};
+  glm::dvec3 specular{0};
+};
+
+/// What a program with mistakes draws at a pixel, in 1/255, not clamped.
+struct MistakenPixel {
+  glm::dvec3 color{0};
+  /// Of the color, if these add up to it: ambient light, that of each light of the scene, and what
+  /// mirrors and glass add. Without `lights`, they are not known.
+  glm::dvec3 ambient{0};
+  std::vector<LightParts> lights;
+  glm::dvec3 followed{0};
 };
 
 struct CauseReport {
@@ -108,6 +126,8 @@ struct CauseReport {
   /// such as "99 % of the pixels that differ show highlights; so do 2 % of the others". May be
   /// empty.
   std::string confined;
+  /// The place that was asked for, drawn with `claims` or `partial`, if these can be drawn.
+  std::optional<MistakenPixel> asked;
   /// Fraction of pixels that differ by more than edges and rounding explain.
   double share_different = 0;
   /// Fraction of pixels where our picture of the scene differs from the reference. If it is large,

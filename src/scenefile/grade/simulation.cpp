@@ -359,6 +359,67 @@ Colors Simulation::finished(const Combination& mistakes, Colors colors) const {
   return colors;
 }
 
+std::optional<MistakenPixel> Simulation::asked(const Combination& mistakes) const {
+  if (view == nullptr || !view->asked) {
+    return std::nullopt;
+  }
+  const Point point{static_cast<int>(view->asked->x), static_cast<int>(view->asked->y)};
+  const Turn turn = turn_of(mistakes);
+  MistakenPixel pixel;
+  if (stage_of(mistakes) == Stage::picture) {
+    const glm::ivec2 m(middle(point, turn));
+    pixel.color = finished(mistakes, {at(reference, m.x, m.y)}).front();
+    return pixel;
+  }
+  // One pixel of the picture before it was made smaller.
+  SceneView of_pixel = *view;
+  of_pixel.samples = 1;
+  const Simulation one{reference, test, &of_pixel, go_on};
+  Trial trial = trial_of(mistakes);
+  const std::shared_ptr<const ModelShapes> drawn_shapes = shapes_of(mistakes, trial);
+  trial.shift +=
+      (*view->asked - middle(point, Turn())) * glm::dvec2(turn.across ? -1 : 1, turn.down ? -1 : 1);
+  const auto drawn_with = [&](const Trial& with) {
+    return one.draw(with, *drawn_shapes, {point}, 1, turn, nullptr).front();
+  };
+  const glm::dvec3 all = drawn_with(trial);
+  pixel.color = finished(mistakes, {all}).front();
+  if (pixel.color != all) {
+    return pixel;
+  }
+  // A term is what leaving it out removes.
+  for (RenderMaterial& m : trial.scene.materials) {
+    m.reflective = glm::vec3(0);
+    m.transparent = glm::vec3(0);
+  }
+  const glm::dvec3 local = drawn_with(trial);
+  pixel.followed = all - local;
+  Trial dull = trial;
+  Trial dark = trial;
+  for (std::size_t i = 0; i < trial.scene.materials.size(); ++i) {
+    dark.scene.materials[i].ambient = glm::vec3(0);
+    dull.scene.materials[i].specular = glm::vec3(0);
+  }
+  pixel.ambient = local - drawn_with(dark);
+  const glm::dvec3 without_highlights = drawn_with(dull);
+  glm::dvec3 sum = pixel.ambient + pixel.followed;
+  for (std::size_t i = 0; i < trial.scene.lights.size(); ++i) {
+    const auto of_light = [&](Trial without) {
+      without.scene.lights[i].color = glm::vec3(0);
+      return drawn_with(without);
+    };
+    const glm::dvec3 light = local - of_light(trial);
+    const glm::dvec3 diffuse = without_highlights - of_light(dull);
+    pixel.lights.push_back({diffuse, light - diffuse});
+    sum += light;
+  }
+  // A mistake may mix terms, such as the color of one light and the direction of another.
+  if (largest_of(glm::abs(sum - all)) > 0.5) {
+    pixel.lights.clear();
+  }
+  return pixel;
+}
+
 std::uint16_t Simulation::drawing_member(const Combination& mistakes) const {
   std::uint16_t found = no_member;
   for (const std::uint16_t i : mistakes) {

@@ -133,6 +133,8 @@ struct Simulation {
   Turn turn_of(const Combination& mistakes) const;
   /// Applies the mistakes that change the finished picture to the colors.
   Colors finished(const Combination& mistakes, Colors colors) const;
+  /// The place that the view asks for, with these mistakes; nullopt if it does not ask.
+  std::optional<MistakenPixel> asked(const Combination& mistakes) const;
   /// The mistake that affects drawing, if it is the only one.
   std::uint16_t drawing_member(const Combination& mistakes) const;
   bool any_heavy(const Combination& mistakes) const;

@@ -77,11 +77,13 @@ struct Part {
   glm::dvec2 corner{0};
   int samples = 1;
   std::vector<float> noise = {};
+  std::optional<glm::dvec2> asked = std::nullopt;
 };
 
 SceneView view_of(const LoadedScene& scene, const DrawnWay& way, const Part& part = {}) {
   return {&scene.ready.scene, &scene.assets, way.options,  &scene.written,       way.words,
-          part.whole,         part.corner,   part.samples, &scene.ready.sources, part.noise};
+          part.whole,         part.corner,   part.samples, &scene.ready.sources, part.noise,
+          part.asked};
 }
 
 // Finds the region where the pictures differ most. `way`: how the scene is drawn, or null.
@@ -165,7 +167,10 @@ Looked without_noise(const Looked& look) {
     return scaled(cut_out(t, {0, 0}, k * size), size.x, size.y);
   };
   const glm::dvec2 whole = part.whole.x > 0 ? part.whole : glm::dvec2(test.width, test.height);
-  return {smaller(reference), smaller(test), {whole / double(k), part.corner / double(k), 2}};
+  const auto asked = part.asked ? std::optional(*part.asked / double(k)) : std::nullopt;
+  return {smaller(reference),
+          smaller(test),
+          {whole / double(k), part.corner / double(k), 2, {}, asked}};
 }
 
 // By pixel, the contrast in its block of 16x16 pixels, in which a JPEG compresses colors together.
@@ -378,13 +383,13 @@ void find_drawn_with(const Texture& reference, const LoadedScene& scene, const D
   constexpr double nearly_all = 0.98;
   const PixelRegion rows = telling_rows(reference);
   double most = share_of_equal_values(reference, rows, scene, way.options);
-  found.drawn_with = way.words;
   if (way.options.profile == Profile::course && way.options.mode == Mode::ray) {
     RenderOptions other = way.options;
     other.features.super_sample = !other.features.super_sample;
     if (const double share = share_of_equal_values(reference, rows, scene, other); share > most) {
       most = share;
       found.drawn_with = options_text(other);
+      found.drawn_options = other;
     }
   }
   found.drawn_exactly = most >= nearly_all;
@@ -447,6 +452,7 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
     }
   }
   found.drawn_with = way->words;
+  found.drawn_options = way->options;
   if (!settings.ways_fit && !found.other_size() && found.scene_fits()) {
     find_drawn_with(reference, *scene, *way, found);
   }
@@ -751,6 +757,35 @@ std::vector<DrawnWay> ways_drawn(const Texture& reference, const LoadedScene& sc
 
 namespace {
 
+// Where the picture that is compared is in the picture under test.
+struct ShownPlace {
+  glm::ivec2 corner{0};
+  double scale = 1;  // pixels of the picture under test for one of the other
+};
+
+ShownPlace shown_place(const Texture& test, const Texture& shown, const PictureComparison& found) {
+  const int width = found.place ? visible(*found.place, test).width() : test.width;
+  return {found.place ? glm::max(found.place->corner, glm::ivec2(0)) : glm::ivec2(0),
+          static_cast<double>(width) / shown.width};
+}
+
+// Where the pixel that is asked for is in the picture that is compared. Sets found.asked.
+std::optional<glm::dvec2> place_asked(const CompareSettings& settings, const ShownPlace& part,
+                                      const Texture& shown, PictureComparison& found) {
+  if (!settings.asked) {
+    return std::nullopt;
+  }
+  const glm::dvec2 place = (glm::dvec2(*settings.asked - part.corner) + 0.5) / part.scale;
+  const glm::dvec2 size(shown.width, shown.height);
+  if (glm::any(glm::lessThan(place, glm::dvec2(0))) ||
+      glm::any(glm::greaterThanEqual(place, size))) {
+    return std::nullopt;
+  }
+  found.asked = glm::ivec2(place) + found.corner;
+  found.asked_of = found.whole.x > 0 ? found.whole : glm::ivec2(size);
+  return place;
+}
+
 // The number of values that are equal in pictures of the same size.
 std::size_t equal_values(const Texture& a, const Texture& b) {
   std::size_t count = 0;
@@ -789,6 +824,9 @@ PictureComparison compare(const Texture& given, const Texture& test, const Image
         fmt::format("the size is {}x{}, expected {}x{}; compared {}", test.width, test.height,
                     given.width, given.height, what_was_compared(found)));
   }
+  const ShownPlace in_test = shown_place(test, shown, found);
+  const std::optional<glm::dvec2> asked =
+      found.measures.same_size ? place_asked(settings, in_test, shown, found) : std::nullopt;
   // Several searches, each from the start to the end, are one for the caller.
   double most = 0;
   const std::function<bool(double)> forward = [&](double done) {
@@ -805,17 +843,14 @@ PictureComparison compare(const Texture& given, const Texture& test, const Image
         ways.front().words != settings.ways.front().words) {
       found.contradicted = settings.ways.front().words;
     }
-    const Part part{found.whole, found.corner};
+    const Part part{found.whole, found.corner, 1, asked};
     const bool noisy = settings.lossy || found.resampled || has_palette(shown);
     look_for_causes(reference, shown, drawable, ways, part, noisy, settings, forward, found);
     if (found.where && !found.scene_fits()) {  // the pictures show other objects there
       found.where->hit = false;
     }
-    if (found.place && found.where) {
-      const PixelRegion seen = visible(*found.place, test);
-      found.where->region =
-          in_picture(found.where->region, glm::max(found.place->corner, glm::ivec2(0)),
-                     static_cast<double>(seen.width()) / shown.width);
+    if (found.where) {
+      found.where->region = in_picture(found.where->region, in_test.corner, in_test.scale);
     }
     if (found.other_size() && found.causes.claims.empty()) {
       found.right_at_other_size =
@@ -931,8 +966,8 @@ std::string causes_text(const PictureComparison& found) {
   return text;
 }
 
-std::string where_text(const PictureComparison& found, const std::string& scene,
-                       const std::string& test, const std::string& options) {
+std::string where_text(const PictureComparison& found,
+                       const std::function<std::string(const glm::ivec2& pixel)>& command) {
   if (!found.where) {
     return {};
   }
@@ -947,16 +982,9 @@ std::string where_text(const PictureComparison& found, const std::string& scene,
   } else if (found.scene_used && found.scene_fits()) {
     text += "; it shows nothing of the scene";
   }
-  // explain traces rays, and compares with a picture of the same size.
-  if (scene.empty() || found.realtime || found.resampled || found.place || !found.scene_fits()) {
-    return text + fmt::format("\n       look at pixel {},{}\n", r.x, r.y);
-  }
-  return text +
-         fmt::format(
-             "\n       try: scenefile explain {} --pixel {},{} --size {}x{}{}{}{}{} --mine {}\n",
-             escaped(shell_word(scene), 4096), r.x, r.y, found.measures.size.x,
-             found.measures.size.y, found.drawn_with.empty() ? "" : " ", found.drawn_with,
-             options.empty() ? "" : " ", options, escaped(shell_word(test), 4096));
+  return text + (command && found.scene_used && found.scene_fits() && !found.realtime
+                     ? fmt::format("\n       try: {}\n", command({r.x, r.y}))
+                     : fmt::format("\n       look at pixel {},{}\n", r.x, r.y));
 }
 
 void add_claims(Json& json, std::string_view name, const std::vector<Claim>& claims) {

@@ -43,6 +43,8 @@ struct CompareSettings {
   bool ways_fit = false;       ///< `ways` are already the result of ways_drawn()
   LookForCauses look = LookForCauses::where_broken;  ///< for pictures that are not equal
   bool lossy = false;  ///< JPEGs: causes are looked for in smaller pictures, with less noise
+  /// A pixel of the picture under test to draw with the mistakes: PictureComparison::asked.
+  std::optional<glm::ivec2> asked = std::nullopt;
 };
 
 /// Options that draw a picture this way, without its size and quality: "--profile course", and what
@@ -105,6 +107,7 @@ struct PictureComparison {
   CauseReport causes;               ///< empty if no causes were looked for
   bool realtime = false;            ///< whether the reference is of the assignment Realtime
   std::string drawn_with;           ///< DrawnWay::words of the reference; empty: unknown
+  RenderOptions drawn_options;      ///< the same as options, without size; of ray-traced ones
   bool drawn_exactly = true;  ///< `drawn_with` draws the reference within rounding, not only nearly
   std::string contradicted;   ///< the only way that was given, if it contradicts the reference
   bool scene_used = false;    ///< whether the search for causes had a scene
@@ -113,6 +116,10 @@ struct PictureComparison {
   bool other_outlines = false;   ///< nothing explains the difference, and few edges are the same
   bool equal_in_8_bits = false;  ///< only the floats differ; no causes are looked for
   std::optional<PlaceToLook> where;  ///< nullopt if no pixel differs visibly
+  /// CompareSettings::asked as a pixel of the whole picture of the scene of size `asked_of`;
+  /// nullopt if it is outside of what was compared. causes.asked is its color with the mistakes.
+  std::optional<glm::ivec2> asked;
+  glm::ivec2 asked_of{0};
 
   bool other_size() const { return other_reference || other_test; }
   /// Whether our picture of the scene looks like the reference; true without a scene.
@@ -151,11 +158,10 @@ std::string not_finite_text(const DecodedPicture& picture);
 /// The causes as human-readable text.
 std::string causes_text(const PictureComparison& found);
 
-/// Where the pictures differ most, as human-readable text: the region, the object there, and a
-/// command that explains one of its pixels. `scene` and `test`: paths as given; if `scene` is
-/// empty, there is no command. `options`: others that the command needs, such as --asset-root.
-std::string where_text(const PictureComparison& found, const std::string& scene,
-                       const std::string& test, const std::string& options = {});
+/// Where the pictures differ most, as human-readable text: the region, the object there, and how to
+/// explain one of its pixels. `command`: of the pixel, or empty.
+std::string where_text(const PictureComparison& found,
+                       const std::function<std::string(const glm::ivec2& pixel)>& command = {});
 
 /// Adds members to the open object.
 void add_measures(Json& json, const PictureMeasures& measures);

@@ -6,6 +6,7 @@
 #include "scenefile/explain/yours.h"
 #include "scenefile/grade/realtime_pixel.h"
 #include "scenefile/path/explain_path.h"
+#include "scenefile/verbs/compare_pictures.h"
 #include "scenefile/verbs/load_scene.h"
 
 #include <array>
@@ -24,13 +25,28 @@ struct RealtimeRecord {
   std::vector<PixelRecord> shares;  ///< the frame's pixels, in the order of pixel.shares
 };
 
+/// A term of the lighting equation, in 1/255.
+struct TermWith {
+  std::string name;  ///< "ambient", "point light (line 5), diffuse"
+  glm::dvec3 ours{0};
+  glm::dvec3 mistaken{0};  ///< with the mistakes that were found
+};
+
+/// What comparing the whole pictures found, and what it says about the pixel.
+struct YoursCompared {
+  PictureComparison found;
+  bool explained = false;       ///< found.causes.asked is the other program's value
+  std::vector<TermWith> terms;  ///< without those that are 0; empty if they are not known
+};
+
 struct ExplainReport {
   /// For Realtime, the samples are pixels of the frame.
   PixelRecord pixel;
   std::optional<RealtimeRecord> realtime;
   std::optional<PathPixel> path;  ///< of mode path; then `pixel` is not used
   std::vector<Remark> remarks;
-  std::optional<Yours> yours;  ///< another program's value of the pixel, if given
+  std::optional<Yours> yours;             ///< another program's value of the pixel, if given
+  std::optional<YoursCompared> compared;  ///< of its whole picture, if compared
 };
 
 /// Traces the pixel (x, y), row 0 at the top, like render() with these options, or in mode path
@@ -53,6 +69,12 @@ std::optional<Error> no_such_sample(std::optional<std::uint32_t> sample, std::si
 /// Sets report.yours: the value of the pixel in another program's picture.
 void add_yours(const LoadedScene& scene, const std::array<std::uint8_t, 3>& value,
                ExplainReport& report);
+
+/// Sets report.yours, and report.compared to the result of comparing the whole pictures, in which
+/// the pixel was asked for (CompareSettings::asked). What the whole pictures show goes before what
+/// one pixel suggests: if they have a cause, or differ only in sampling, yours.fits is empty.
+void add_compared(const LoadedScene& scene, const std::array<std::uint8_t, 3>& value,
+                  PictureComparison found, ExplainReport& report);
 
 struct ExplainStyle {
   bool color = false;     ///< ANSI colors

@@ -62,7 +62,7 @@ class Document {
     json_.end_array();
     add_remarks(report.remarks);
     if (report.yours) {
-      add_yours(*report.yours);
+      add_yours(*report.yours, report.compared);
     }
     json_.end_object();
   }
@@ -250,7 +250,7 @@ class Document {
     json_.end_object();
   }
 
-  void add_yours(const Yours& yours) {
+  void add_yours(const Yours& yours, const std::optional<YoursCompared>& compared) {
     json_.begin_object("yours");
     json_.begin_array("value");
     for (const std::uint8_t v : yours.value) {
@@ -266,6 +266,31 @@ class Document {
       json_.end_object();
     }
     json_.end_array();
+    if (compared) {
+      add_compared(*compared);
+    }
+    json_.end_object();
+  }
+
+  void add_compared(const YoursCompared& compared) {
+    const CauseReport& causes = compared.found.causes;
+    json_.begin_object("compared");
+    add_claims(json_, "causes", causes.claims);
+    add_claims(json_, "partial", causes.partial);
+    add_claims(json_, "notes", causes.notes);
+    if (causes.asked) {
+      json_.add("mistaken", glm::clamp(causes.asked->color, glm::dvec3(0), glm::dvec3(255)));
+      json_.add("explained", compared.explained);
+      json_.begin_array("terms");
+      for (const TermWith& term : compared.terms) {
+        json_.begin_object();
+        json_.add("name", term.name);
+        json_.add("ours", term.ours);
+        json_.add("mistaken", term.mistaken);
+        json_.end_object();
+      }
+      json_.end_array();
+    }
     json_.end_object();
   }
 

@@ -25,6 +25,7 @@ class Explanation {
         pixel_(report.pixel),
         remarks_(report.remarks),
         yours_(report.yours),
+        compared_(report.compared),
         realtime_(report.realtime),
         style_(style),
         names_(scene.written, scene.ready.sources) {}
@@ -75,15 +76,51 @@ class Explanation {
     ExplainItem item{fmt::format("{} {} {} {} of 255{}", bold("yours"), v[0], v[1], v[2],
                                  yours_->equal ? ": equals ours" : ""),
                      {}};
+    if (compared_) {
+      add_compared_lines(item);
+    }
     for (const YoursFit& fit : yours_->fits) {
       item.below.push_back({fmt::format("equals ours {} = {:.1f} {:.1f} {:.1f} of 255", fit.what,
                                         fit.value.x, fit.value.y, fit.value.z),
                             {}});
     }
-    if (!yours_->equal && yours_->fits.empty()) {
-      item.below.push_back({"no known mistake in our terms gives this value", {}});
+    if (!yours_->equal && yours_->fits.empty() && !compared_) {
+      item.add("no single change of our terms gives this value");
     }
     return item;
+  }
+
+  // The lines of `diff`, and what they mean for this pixel.
+  void add_compared_lines(ExplainItem& item) const {
+    const PictureComparison& found = compared_->found;
+    const std::string lines =
+        (found.other_size() ? found.broken.front() + '\n' : std::string()) +
+        (found.broken.empty() ? "the pictures are equal\n" : causes_text(found));
+    for (std::string_view rest = lines; !rest.empty(); rest.remove_prefix(rest.find('\n') + 1)) {
+      std::string_view line = rest.substr(0, rest.find('\n'));
+      line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+      item.add(std::string(line));
+    }
+    if (!found.causes.asked) {
+      return;
+    }
+    const std::size_t mistakes = found.causes.claims.size() + found.causes.partial.size();
+    const glm::dvec3 with = glm::clamp(found.causes.asked->color, glm::dvec3(0), glm::dvec3(255));
+    ExplainItem& sum = item.add(fmt::format(
+        "{} with {} = {:.1f} {:.1f} {:.1f} of 255, {}", bold("ours"),
+        mistakes == 0   ? "that"
+        : mistakes == 1 ? "this mistake"
+                        : "these mistakes",
+        with.x, with.y, with.z, compared_->explained ? "as yours" : "which is not yours"));
+    for (const TermWith& term : compared_->terms) {
+      const bool same =
+          glm::all(glm::lessThan(glm::abs(term.ours - term.mistaken), glm::dvec3(0.5)));
+      sum.add(fmt::format("{} {:.1f} {:.1f} {:.1f}{}", term.name, term.ours.x, term.ours.y,
+                          term.ours.z,
+                          same ? std::string()
+                               : fmt::format(", with it {:.1f} {:.1f} {:.1f}", term.mistaken.x,
+                                             term.mistaken.y, term.mistaken.z)));
+    }
   }
 
   std::string object(const ObjectRef& ref) const { return object_text(names_, ref); }
@@ -399,6 +436,7 @@ class Explanation {
   const PixelRecord& pixel_;
   const std::vector<Remark>& remarks_;
   const std::optional<Yours>& yours_;
+  const std::optional<YoursCompared>& compared_;
   const std::optional<RealtimeRecord>& realtime_;
   ExplainStyle style_;
   ObjectNames names_;

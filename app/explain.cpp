@@ -4,6 +4,7 @@
 #include "app/load.h"
 #include "app/load_picture.h"
 #include "app/output.h"
+#include "app/progress.h"
 #include "app/realtime.h"
 #include "scenefile/base/text.h"
 
@@ -62,6 +63,28 @@ std::array<std::uint8_t, 3> value_at(const Texture& picture, const PixelPlace& p
   return {v[0], v[1], v[2]};
 }
 
+// Compares a path-traced picture with the truth.
+Outcome add_around(const LoadedScene& scene, const Options& options, const LoadedPicture& mine,
+                   Context& context, ExplainReport& report) {
+  context.phase = "drawing the truth";
+  ProgressBar bar(!options.quiet && !options.json && wants_progress());
+  PathTruth truth;
+  const RenderStatus drawn = draw_truth(
+      scene, options.render, options.seconds > 0 ? options.seconds : truth_seconds,
+      [&](double done) {
+        bar.update(done);
+        return true;
+      },
+      truth);
+  if (Outcome outcome = outcome_of(drawn, context); !outcome.error.empty()) {
+    return outcome;
+  }
+  context.phase = "comparing the pictures";
+  report.around =
+      neighborhood(truth, judge_path(truth, mine.picture), {options.pixel->x, options.pixel->y});
+  return {};
+}
+
 // Compares the pictures, and sets the options to those of the picture of the scene.
 Result<PictureComparison> compare_whole(Options& options, LoadedPicture& reference,
                                         LoadedPicture& mine, const LoadedScene& scene,
@@ -100,6 +123,9 @@ ExitCode run_explain(const Options& given, Context& context) {
   const bool whole = !options.reference.empty();
   LoadedScene scene = whole ? load_scene_of_pictures(options.arguments.front(), options, context)
                             : load_for_tracing(options, context);
+  if (options.seconds > 0 && !was_given(options, "--samples")) {
+    options.render.samples = path_samples;  // the time is for the truth
+  }
   const std::optional<RealtimeOptions> realtime = realtime_options(options);
   if (realtime && status_of(scene) == ExitCode::fine) {
     check_realtime(*realtime, scene);
@@ -138,7 +164,12 @@ ExitCode run_explain(const Options& given, Context& context) {
   if (!report) {
     return failed(outcome_of(report.error(), context));
   }
-  if (found) {
+  if (report->path && !options.mine.empty()) {
+    if (const Outcome outcome = add_around(scene, options, mine, context, *report);
+        !outcome.error.empty()) {
+      return failed(outcome);
+    }
+  } else if (found) {
     add_compared(scene, value, *std::move(found), *report);
   } else if (!options.mine.empty()) {
     add_yours(scene, value, *report);

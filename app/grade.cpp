@@ -67,6 +67,9 @@ std::string grading_words(const Options& options, std::span<const NamePair> map)
     names.add(pair.handed_in);
     names.add(pair.reference);
   }
+  if (options.seconds > 0) {
+    text += fmt::format(" seconds={}", options.seconds);
+  }
   return fmt::format("{} profile_given={} features_given={} pixel_threshold={} layer_and_map={:x}",
                      text, was_given(options, "--profile"), was_given(options, "--features"),
                      options.pixel_threshold, names.value());
@@ -241,7 +244,9 @@ ExitCode run_grade(const Options& options, Context& context) {
       .compare = compare_settings(options),
       .layer = options.layer,
       .thumbnails = !options.store.empty() || !options.report.empty() || !options.pages.empty(),
-      .map = *std::move(map)};
+      .map = *std::move(map),
+      .path = options.render.mode == Mode::path ? std::optional(options.render) : std::nullopt,
+      .seconds = options.seconds > 0 ? options.seconds : truth_seconds};
   const auto load_scene = [&](const std::string& path) {
     LoadedScene scene = load_scene_of_pictures(path, options, context);
     if (status_of(scene) == ExitCode::usage) {

@@ -426,15 +426,6 @@ constexpr std::array option_rows{
     OptionRow{"--reference", "", "PICTURE",
               "The right picture of the scene, as the course gives it: ours is drawn like it.",
               for_view, set_name<&Options::reference>},
-    OptionRow{"--mine",
-              "",
-              "PICTURE",
-              "Your picture of the scene: compare its values with ours or the reference, and find "
-              "the mistake in our terms that gives them.",
-              for_explain | for_view,
-              set_name<&Options::mine>,
-              "",
-              {.path = false}},
     OptionRow{"--reference",
               "",
               "PICTURE",
@@ -444,6 +435,11 @@ constexpr std::array option_rows{
               set_name<&Options::reference>,
               "",
               {.gl = false, .path = false}},
+    OptionRow{"--mine", "", "PICTURE",
+              "Your picture of the scene: compare its values with ours or the reference, and find "
+              "the mistake in our terms that gives them; explain --mode path compares the pixels "
+              "around with the truth.",
+              for_explain | for_view, set_name<&Options::mine>},
     OptionRow{"--layer", "", "NAME", "The layer to read of EXR pictures that have several.",
               for_pictures | for_explain | for_view, set_name<&Options::layer>},
     OptionRow{
@@ -490,13 +486,13 @@ constexpr std::array option_rows{
               "course: intersect (also sets --mode) or illuminate. Default: all, for course "
               "without super-sample.",
               for_tracing | for_convert | for_pictures | for_view, set_features, "features"},
-    OptionRow{
-        "--mode", "", "NAME",
-        "ray (default), intersect (the course's ray caster: no shadows, reflections or "
-        "textures), normals (colors are normals), or path (path tracing, for render, "
-        "explain, view and diff; the default if the scene has no lights, but faces of meshes that "
-        "emit light).",
-        for_tracing | for_pictures | for_view, set_mode, "mode"},
+    OptionRow{"--mode", "", "NAME",
+              "ray (default), intersect (the course's ray caster: no shadows, reflections or "
+              "textures), normals (colors are normals), or path (path tracing, for render, "
+              "explain, view, diff and grade; the default if the scene has no lights, but faces of "
+              "meshes that "
+              "emit light).",
+              for_tracing | for_pictures | for_view, set_mode, "mode"},
     OptionRow{
         "--samples", "", "N",
         "Maximum number of samples per pixel, for the profile fine (default 16; with --engine gl "
@@ -533,9 +529,9 @@ constexpr std::array option_rows{
     OptionRow{
         "--time", "", "SECONDS",
         "With --mode path: take samples until this time is over; --samples then is the "
-        "maximum. The number that was taken gives the same picture again. diff: processor time "
-        "for the truth of path-traced pictures (default 40).",
-        for_render | for_diff,
+        "maximum. The number that was taken gives the same picture again. diff, grade and "
+        "explain --mine: processor time for the truth of path-traced pictures (default 40).",
+        for_render | for_pictures | for_explain,
         [](Options& o, const std::string& v) { return read_number(v, 0.001, 1e7, o.seconds); }, "",
         path_only},
     OptionRow{"--light-samples", "", "N",
@@ -570,7 +566,7 @@ constexpr std::array option_rows{
               "With --mode path: physics (default), or course: as the published pictures of the "
               "course, in which light of lamps falls off with the distance instead of its square, "
               "and materials with a bright Ks have no Kd.",
-              for_render | for_explain | for_view | for_diff, set_convention, "convention"},
+              for_render | for_explain | for_view | for_pictures, set_convention, "convention"},
     OptionRow{
         "--clamp", "", "N",
         "With --mode path: the maximum of indirect light in a sample. Removes bright specks, "
@@ -600,7 +596,9 @@ constexpr std::array option_rows{
     OptionRow{"--sheet", "", "OUT",
               "Write both pictures, their differences and FLIP side by side: a .png.", for_diff,
               set_png<&Options::sheet>},
-    OptionRow{"--references", "", "DIR", "The folder of the reference pictures. Required.",
+    OptionRow{"--references", "", "DIR",
+              "The folder of the reference pictures; with --mode path, of the "
+              "course's configurations. Required.",
               for_grade, set_name<&Options::references>},
     OptionRow{"--scenes", "", "DIR",
               "The scenes of the pictures, by the same names (default: with the references).",

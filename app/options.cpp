@@ -195,7 +195,7 @@ OptionSupport support_for(const OptionRow& row) {
 
 // Whether the mode is not given, and an option is only for path tracing.
 bool implies_path_mode(const Command& command, const Options& options) {
-  return (command.bit & (for_render | for_explain | for_view | for_diff)) != 0 &&
+  return (command.bit & (for_render | for_explain | for_view | for_pictures)) != 0 &&
          may_choose_path_mode(options) &&
          (std::any_of(options.render.layers.begin(), options.render.layers.end(),
                       [](const Layer& layer) { return !has_layer(Mode::ray, layer.kind); }) ||
@@ -207,8 +207,8 @@ bool implies_path_mode(const Command& command, const Options& options) {
 // Checks that each option has an effect with the selected engine, profile and mode.
 std::string check_support(const Command& command, const Options& options) {
   if (options.render.mode == Mode::path) {
-    if ((command.bit & (for_render | for_explain | for_view | for_diff)) == 0) {
-      return fmt::format("--mode path is for render, explain, view and diff, not for {}",
+    if ((command.bit & (for_render | for_explain | for_view | for_pictures)) == 0) {
+      return fmt::format("--mode path is for render, explain, view, diff and grade, not for {}",
                          command.name);
     }
     if (options.engine != Engine::trace) {

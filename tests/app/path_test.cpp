@@ -126,7 +126,7 @@ TEST_F(PathCommand, RefusesWhatItDoesNotHave) {
       {"frames", scene, "-o", folder.path("f%d.png"), "--turntable", "2", "--mode", "path"});
   EXPECT_EQ(frames.status, 2);
   EXPECT_THAT(frames.err,
-              HasSubstr("--mode path is for render, explain, view and diff, not for frames"));
+              HasSubstr("--mode path is for render, explain, view, diff and grade, not for frames"));
   const ProgramRun mine = run_program(
       {"explain", scene, "--pixel", "5,5", "--mode", "path", "--mine", folder.path("a.png")});
   EXPECT_EQ(mine.status, 2);

@@ -38,8 +38,22 @@ def answer(program, scene, folder):
     return grade(program, folder / "class", folder / "right")
 
 
-def grade(program, folder, references):
-    run = subprocess.run([program, "grade", folder, "--references", references, "--json"], capture_output=True, check=False)
+def path_answer(program, scene, folder):
+    """The same for path-traced pictures."""
+    (folder / "inis").mkdir()
+    (folder / "inis/box.ini").write_text(
+        f"[IO]\nscene = {scene}\noutput = out/box.png\n[Settings]\nimageWidth = 32\n"
+        "imageHeight = 24\nsamplesPerPixel = 9\npathContinuationProb = 0.9\n")
+    for student, size, more in (("ada", "32x24", ()), ("ben", "32x24", ("--max-depth", "1")), ("cleo", "16x12", ())):
+        (folder / "paths" / student).mkdir(parents=True)
+        subprocess.run([program, "render", scene, "--size", size, "--quiet", "--mode", "path", "--samples", "9", "-o",
+                        folder / "paths" / student / "box.pfm", *more], check=True)
+    return grade(program, folder / "paths", folder / "inis", "--mode", "path", "--time", "1")
+
+
+def grade(program, folder, references, *more):
+    run = subprocess.run([program, "grade", folder, "--references", references, "--json", *more], capture_output=True,
+                         check=False)
     return json.loads(run.stdout)
 
 
@@ -66,11 +80,14 @@ def main(program, scene):
     validator = jsonschema.Draft7Validator(schema)
     with tempfile.TemporaryDirectory() as folder:
         document = answer(program, scene, pathlib.Path(folder))
+        paths = path_answer(program, pathlib.Path(scene).resolve().parent / "studio.xml", pathlib.Path(folder))
         failures = [grade(program, "no such folder", folder), grade(program, folder, "no such folder")]
     complaints = [f"{'/'.join(map(str, e.path))}: {e.message[:200]}"
-                  for d in (document, *failures) for e in validator.iter_errors(d)]
+                  for d in (document, paths, *failures) for e in validator.iter_errors(d)]
     complaints += [f"broken answer {i} is accepted" for i, d in enumerate(broken(document))
                    if validator.is_valid(d)]
+    if [p.get("path_traced") for s in paths.get("students", ()) for p in s["pictures"]] != [True] * 3:
+        complaints.append(f"path-traced pictures: {paths}")
     verdicts = {p["verdict"] for s in document["students"] for p in s["pictures"]}
     if verdicts != {"passed", "differs", "missing", "unreadable"} or len(document["ignored"]) != 3:
         complaints.append(f"only {verdicts} and {document['ignored']} were tried")

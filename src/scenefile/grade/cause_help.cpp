@@ -205,6 +205,38 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "In a ray tracer, the width and height of picture and buffer, and the index of a pixel; in "
      "Realtime, glViewport before each pass, the sizes of framebuffer and textures, and the aspect "
      "ratio of the projection; in both, the device pixel ratio."},
+    {Cause::light_samples, "Light samples (Path)",
+     "All reflected light has a wrong factor, walls near the lamp are too bright or too dark, or "
+     "there are no shadows; the lamp itself is right.",
+     "A point on a lamp contributes Le times the BSDF, the cosines at both ends and the "
+     "visibility, "
+     "divided by the square of the distance and by the density of the point: the probability of "
+     "its triangle divided by the area.",
+     "Where points on lamps are chosen, what their light is multiplied with and divided by, the "
+     "ends of the shadow ray, and the mean over several samples. A lamp that is hit by chance must "
+     "not count again."},
+    {Cause::scattering, "Scattered directions (Path)",
+     "Indirect light is too bright or too dark, by a factor for each bounce, or at grazing angles, "
+     "or has the wrong color.",
+     "A path is multiplied by the BSDF and the cosine, and divided by the density of the "
+     "direction. "
+     "Diffuse surfaces have Kd / pi; with directions distributed by the cosine, what remains is "
+     "Kd.",
+     "The function that chooses a direction, the density that belongs to it, and 1 / pi."},
+    {Cause::path_length, "Ends of paths (Path)",
+     "Light after some bounce is missing, each bounce is darker by the same factor, lamps are "
+     "black "
+     "in mirrors, or there are no caustics.",
+     "A path that goes on with probability p is divided by p. Lamps that are hit count after the "
+     "camera, mirrors and glass, where light samples cannot find them.",
+     "The recursion: where it ends, what it is divided by, and when emission is added."},
+    {Cause::specular_paths, "Mirrors and glass (Path)",
+     "Mirrors or glass are too dark or too bright, glass shows the room upside down or not at all, "
+     "and its caustics are wrong; the rest is right.",
+     "Mirrors and glass have one direction: no cosine, no density. Glass chooses reflection or "
+     "refraction with a probability, which cancels the same factor of Fresnel's equations.",
+     "Which side the ray comes from, the ratio of the indices, total internal reflection, and what "
+     "the choice is divided by."},
 }};
 
 constexpr bool in_order() {
@@ -244,8 +276,8 @@ std::string causes_markdown() {
     text += fmt::format(
         "\n## {0}\n\n`{1}`\n\n{2}- What it looks like: {3}\n- Why: {4}\n- Where to look: {5}\n",
         page.title, name_of(page.cause),
-        page.cause == Cause::rounding
-            ? std::string()  // nobody would see it
+        page.cause == Cause::rounding || page.cause >= Cause::light_samples
+            ? std::string()  // nobody would see it, at this size
             : fmt::format("![Right, and with the mistake](images/mistakes/{}.png)\n\n",
                           name_of(page.cause)),
         page.looks, page.why, page.where);

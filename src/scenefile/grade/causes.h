@@ -56,9 +56,14 @@ enum class Cause : std::uint8_t {
   clipping,      ///< near and far planes
   filter,        ///< missing, wrong kernel, wrong border
   viewport,      ///< size of the viewport, the frame and the window's aspect ratio
+  // Of the assignment Path (noise/judge_path.h).
+  light_samples,   ///< of lamps: distance, cosine, area, choice, shadows
+  scattering,      ///< cosine, BSDF and density of directions
+  path_length,     ///< where paths end, and which hits of lamps count
+  specular_paths,  ///< mirrors and glass
 };
 
-inline constexpr std::size_t cause_count = static_cast<std::size_t>(Cause::viewport) + 1;
+inline constexpr std::size_t cause_count = static_cast<std::size_t>(Cause::specular_paths) + 1;
 
 /// The name in JSON output, such as "half-pixel-shift".
 std::string_view name_of(Cause cause);

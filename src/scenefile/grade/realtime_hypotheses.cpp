@@ -642,6 +642,10 @@ class Maker {
       case Cause::culling:
       case Cause::clipping:
       case Cause::viewport:
+      case Cause::light_samples:
+      case Cause::scattering:
+      case Cause::path_length:
+      case Cause::specular_paths:
       case Cause::filter:
         return false;
     }

@@ -35,6 +35,7 @@ struct PictureResult {
   std::string png_file;           ///< if not embedded: path relative to the page
   std::uint64_t fingerprint = 0;  ///< of the file (base/hash.h); 0: there is none
   std::string identical;          ///< students with the same file, if there are several
+  bool path_traced = false;       ///< judged by statistics, without `measures`
 };
 
 struct StudentResult {

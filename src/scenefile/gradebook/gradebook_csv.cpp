@@ -40,8 +40,8 @@ std::string row(const StudentResult& student, const PictureResult& picture) {
     notes += fmt::format("{}identical files: {}", notes.empty() ? "" : "; ", picture.identical);
   }
   const PictureMeasures& m = picture.measures;
-  const bool measured =
-      m.same_size && (picture.verdict == Verdict::passed || picture.verdict == Verdict::differs);
+  const bool measured = m.same_size && !picture.path_traced &&
+                        (picture.verdict == Verdict::passed || picture.verdict == Verdict::differs);
   const std::string figures =
       measured ? fmt::format("{:.2f},{:.4f},{:.4f}", m.difference.psnr_db, m.ssim, m.flip_mean)
                : ",,";

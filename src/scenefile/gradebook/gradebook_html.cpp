@@ -338,8 +338,11 @@ std::string card(const PictureResult& picture, std::size_t index, std::size_t p)
   html += notes_of(picture);
   const std::string strip = image(picture, fmt::format("alt=\"Enlarge {}\"", markup(picture.name)));
   if (!strip.empty()) {
-    html += fmt::format("<button class=shot>{}</button><small class=measures>{}</small>\n", strip,
-                        measures_line(picture.measures));
+    html +=
+        fmt::format("<button class=shot>{}</button><small class=measures>{}</small>\n", strip,
+                    picture.path_traced ? "truth · picture · significance: red is too bright, blue "
+                                          "too dark, white is noise"
+                                        : measures_line(picture.measures));
   }
   return html + "</article>\n";
 }
@@ -375,10 +378,14 @@ std::string passed(const StudentResult& student) {
     const int height = size.x > 0 && size.y > 0 ? std::clamp(width * size.y / size.x, 24, 192) : 72;
     const std::string strip =
         image(picture, fmt::format("alt=\"\" width={} height={}", width, height));
-    html += strip.empty()
-                ? fmt::format("<span>{}</span>\n", name)
-                : fmt::format("<button class=shot title=\"PSNR {:.2f} dB\">{}{}</button>\n",
-                              picture.measures.difference.psnr_db, strip, name);
+    html +=
+        strip.empty()
+            ? fmt::format("<span>{}</span>\n", name)
+            : fmt::format("<button class=shot title=\"{}\">{}{}</button>\n",
+                          picture.path_traced
+                              ? "right within its noise"
+                              : fmt::format("PSNR {:.2f} dB", picture.measures.difference.psnr_db),
+                          strip, name);
   }
   return html.empty() ? html
                       : fmt::format(

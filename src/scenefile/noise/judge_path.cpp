@@ -445,6 +445,8 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
   verdict.truth_samples = truth.samples;
   verdict.not_finite = mine.not_finite;
   verdict.significance.resize(truth.blocks());
+  verdict.errors.resize(truth.blocks());
+  verdict.mine.resize(truth.blocks());
   if (readings.empty()) {
     verdict.too_noisy = true;
     verdict.notes.push_back({"clipped", "most of the picture is clipped", "", 0});
@@ -467,6 +469,8 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
     const Color rest = search.residual(reading.right, b);
     const double variance = luminance(Color(1) / glm::max(weight, Color(1e-300)));
     verdict.significance[b] = luminance(rest) / std::sqrt(variance);
+    verdict.errors[b] = std::sqrt(variance) / verdict.exposure;
+    verdict.mine[b] = reading.seen.measured.mean[b] / verdict.exposure;
     verdict.largest = std::max(verdict.largest, std::abs(verdict.significance[b]));
   }
   double chi2 = 0;

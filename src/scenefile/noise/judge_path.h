@@ -54,6 +54,8 @@ struct PathVerdict {
   std::vector<double> energy_truth;  ///< by bounces from 1, mean luminance, without visible lamps
   std::vector<double> energy_mine;   ///< the same as fitted; empty if that is not possible
   std::vector<double> significance;  ///< by block: (mine - truth) / standard error
+  BlockColors mine;                  ///< by block: the picture, linear and without the exposure
+  std::vector<double> errors;        ///< by block: of significance, as luminance; 0: left out
   int columns = 0;                   ///< of blocks
   std::size_t tested = 0;            ///< blocks that were compared
   double critical = 0;  ///< largest |significance| by chance at the corrected level of 1 %

@@ -1,12 +1,15 @@
 #include "scenefile/verbs/compare_paths.h"
 
+#include "scenefile/path/lamps.h"
 #include "scenefile/path/tone.h"
 #include "scenefile/trace/trace_scene.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace scenefile {
 
@@ -184,6 +187,45 @@ std::string energy_svg(const PathVerdict& v) {
                                                       : "");
   }
   return svg + "</svg>\n";
+}
+
+PathNeighborhood neighborhood(const PathTruth& truth, PathVerdict verdict,
+                              const glm::ivec2& pixel) {
+  PathNeighborhood n;
+  const glm::ivec2 at = pixel / block_side;
+  const std::size_t b = std::size_t(at.y) * truth.columns + at.x;
+  n.block = {at.x * block_side, at.y * block_side, std::min((at.x + 1) * block_side, truth.width),
+             std::min((at.y + 1) * block_side, truth.height)};
+  n.truth_error = std::sqrt(luminance(truth.noise[b]));
+  if (verdict.errors[b] > 0) {
+    n.mine = verdict.mine[b];
+    n.error = verdict.errors[b];
+    n.significance = verdict.significance[b];
+  }
+  constexpr int most = 5;  // and more
+  std::array<Color, most + 1> by_bounce{};
+  Color mirror(0);
+  Color glass(0);
+  for (const auto& [kind, light] : truth.kinds) {
+    n.truth += light[b];
+    by_bounce[std::min(most, kind.bounces() + (kind.hit ? 0 : 1))] += light[b];
+    mirror += kind.mirror > 0 ? light[b] : Color(0);
+    glass += kind.glass > 0 ? light[b] : Color(0);
+  }
+  const auto add = [&](std::string name, const Color& light) {
+    if (luminance(light) > 0) {
+      n.terms.push_back({std::move(name), light});
+    }
+  };
+  add("visible lamps", by_bounce[0]);
+  add("direct light", by_bounce[1]);
+  for (int i = 2; i <= most; ++i) {
+    add(fmt::format("light of {} bounces{}", i, i == most ? " and more" : ""), by_bounce[i]);
+  }
+  add("of these, after mirrors", mirror);
+  add("of these, after glass", glass);
+  n.verdict = std::move(verdict);
+  return n;
 }
 
 void add_path_verdict(Json& json, const PathVerdict& v) {

@@ -5,7 +5,9 @@
 #include "scenefile/verbs/json_writer.h"
 #include "scenefile/verbs/load_scene.h"
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace scenefile {
 
@@ -30,6 +32,27 @@ Texture significance_picture(const PathTruth& truth, const PathVerdict& verdict)
 
 /// A plot of the light by bounces, of the truth and of the picture.
 std::string energy_svg(const PathVerdict& verdict);
+
+/// A kind of light.
+struct PathTerm {
+  std::string name;  ///< "direct light"
+  Color light{0};
+};
+
+/// The pixels around one, and what the truth says about them.
+struct PathNeighborhood {
+  PathVerdict verdict;  ///< of the whole picture
+  PixelRegion block;
+  Color truth{0};
+  double truth_error = 0;     ///< standard error of the luminance
+  std::optional<Color> mine;  ///< nullopt: clipped, or near a visible lamp
+  double error = 0;           ///< of the difference: both noises
+  double significance = 0;
+  std::vector<PathTerm> terms;  ///< of the truth; bounces add up to it
+};
+
+/// `verdict`: of a picture of the size of the truth.
+PathNeighborhood neighborhood(const PathTruth& truth, PathVerdict verdict, const glm::ivec2& pixel);
 
 /// Adds members to the open object.
 void add_path_verdict(Json& json, const PathVerdict& verdict);

@@ -6,6 +6,7 @@
 #include "scenefile/explain/yours.h"
 #include "scenefile/grade/realtime_pixel.h"
 #include "scenefile/path/explain_path.h"
+#include "scenefile/verbs/compare_paths.h"
 #include "scenefile/verbs/compare_pictures.h"
 #include "scenefile/verbs/load_scene.h"
 
@@ -43,7 +44,8 @@ struct ExplainReport {
   /// For Realtime, the samples are pixels of the frame.
   PixelRecord pixel;
   std::optional<RealtimeRecord> realtime;
-  std::optional<PathPixel> path;  ///< of mode path; then `pixel` is not used
+  std::optional<PathPixel> path;           ///< of mode path; then `pixel` is not used
+  std::optional<PathNeighborhood> around;  ///< mode path: another program's picture, if given
   std::vector<Remark> remarks;
   std::optional<Yours> yours;             ///< another program's value of the pixel, if given
   std::optional<YoursCompared> compared;  ///< of its whole picture, if compared

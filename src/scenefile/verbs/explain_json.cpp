@@ -334,7 +334,7 @@ std::string explain_json(const LoadedScene& scene, const RenderOptions& options,
     add_render_options(json, options);
   }
   if (report != nullptr && report->path) {
-    add_path_pixel(json, scene, *report->path);
+    add_path_pixel(json, scene, *report);
   } else if (report != nullptr) {
     Document(json, scene).add_pixel(*report);
   }

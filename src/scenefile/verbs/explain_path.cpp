@@ -40,7 +40,7 @@ class PathText {
         style_(style),
         names_(scene.written, scene.ready.sources) {}
 
-  std::string text() const {
+  std::string text(const std::optional<PathNeighborhood>& around) const {
     ExplainItem top{
         fmt::format("{}, pixel {},{} of {}x{}, mode path\n", escaped(shown_name(loaded_.path)),
                     pixel_.x, pixel_.y, pixel_.options.width, pixel_.options.height),
@@ -48,6 +48,9 @@ class PathText {
     const auto& [red, green, blue] = pixel_.picture;
     top.add(fmt::format("{} {}, the mean of the samples before tone mapping; standard error {:.2g}",
                         bold("color"), color({red, green, blue}), pixel_.deviation));
+    if (around) {
+      add_around(top, *around);
+    }
     add_samples(top);
     add_path(top);
     return top.text + tree_text(top);
@@ -57,6 +60,28 @@ class PathText {
   std::string bold(std::string_view text) const { return bold_text(text, style_); }
   std::string color(const Color& c) const { return color_text(c, style_); }
   std::string object(const ObjectRef& ref) const { return object_text(names_, ref); }
+
+  void add_around(ExplainItem& top, const PathNeighborhood& n) const {
+    ExplainItem& item = top.add(fmt::format(
+        "{} at {},{}..{},{}: {}", bold("yours"), n.block.x0, n.block.y0, n.block.x1 - 1,
+        n.block.y1 - 1,
+        n.mine ? fmt::format("{}, {:.1f} standard errors {} (up to {:.1f} by chance)",
+                             color(*n.mine), std::abs(n.significance),
+                             n.significance < 0 ? "darker" : "brighter", n.verdict.critical)
+               : std::string("not compared: clipped, or near a visible lamp")));
+    ExplainItem& truth = item.add(
+        fmt::format("the truth {}, with an error of {:.2g}{}", color(n.truth), n.truth_error,
+                    n.mine ? fmt::format("; of the difference {:.2g}", n.error) : std::string()));
+    for (const PathTerm& term : n.terms) {
+      truth.add(fmt::format("{} {}", term.name, color(term.light)));
+    }
+    const std::string lines = path_verdict_text(n.verdict);
+    for (std::string_view rest = lines; !rest.empty(); rest.remove_prefix(rest.find('\n') + 1)) {
+      if (const std::string_view line = rest.substr(0, rest.find('\n')); !line.starts_with(' ')) {
+        item.add(std::string(line));
+      }
+    }
+  }
 
   void add_samples(ExplainItem& top) const {
     const std::size_t count = pixel_.samples.size();
@@ -236,7 +261,7 @@ class PathDocument {
   PathDocument(Json& json, const LoadedScene& scene, const PathPixel& pixel)
       : json_(json), loaded_(scene), pixel_(pixel), names_(scene.written, scene.ready.sources) {}
 
-  void add_pixel() {
+  void add_pixel(const std::optional<PathNeighborhood>& around) {
     json_.begin_object("pixel");
     json_.add("x", pixel_.x);
     json_.add("y", pixel_.y);
@@ -253,6 +278,9 @@ class PathDocument {
     }
     json_.end_array();
     json_.add("shown", pixel_.shown);
+    if (around) {
+      add_around(*around);
+    }
     const PathRecord& path = pixel_.path;
     json_.begin_object("path");
     json_.begin_array("vertices");
@@ -272,6 +300,34 @@ class PathDocument {
   }
 
  private:
+  void add_around(const PathNeighborhood& n) {
+    json_.begin_object("yours");
+    json_.begin_array("block");
+    for (const int side : {n.block.x0, n.block.y0, n.block.x1, n.block.y1}) {
+      json_.value(side);
+    }
+    json_.end_array();
+    if (n.mine) {
+      json_.add("color", *n.mine);
+      json_.add("standard_error", n.error);
+      json_.add("significance", n.significance);
+    }
+    json_.add("truth", n.truth);
+    json_.add("truth_error", n.truth_error);
+    json_.begin_array("terms");
+    for (const PathTerm& term : n.terms) {
+      json_.begin_object();
+      json_.add("name", term.name);
+      json_.add("color", term.light);
+      json_.end_object();
+    }
+    json_.end_array();
+    json_.begin_object("picture");
+    add_path_verdict(json_, n.verdict);
+    json_.end_object();
+    json_.end_object();
+  }
+
   void add_line(std::string_view name, const Ray& ray) {
     json_.begin_object(name);
     json_.add("origin", ray.origin);
@@ -381,13 +437,13 @@ class PathDocument {
 
 }  // namespace
 
-std::string explain_path_text(const LoadedScene& scene, const PathPixel& pixel,
+std::string explain_path_text(const LoadedScene& scene, const ExplainReport& report,
                               const ExplainStyle& style) {
-  return PathText(scene, pixel, style).text();
+  return PathText(scene, *report.path, style).text(report.around);
 }
 
-void add_path_pixel(Json& json, const LoadedScene& scene, const PathPixel& pixel) {
-  PathDocument(json, scene, pixel).add_pixel();
+void add_path_pixel(Json& json, const LoadedScene& scene, const ExplainReport& report) {
+  PathDocument(json, scene, *report.path).add_pixel(report.around);
 }
 
 }  // namespace scenefile

@@ -446,7 +446,7 @@ class Explanation {
 
 std::string explain_text(const LoadedScene& scene, const ExplainReport& report,
                          const ExplainStyle& style) {
-  return report.path ? explain_path_text(scene, *report.path, style)
+  return report.path ? explain_path_text(scene, report, style)
                      : Explanation(scene, report, style).text();
 }
 

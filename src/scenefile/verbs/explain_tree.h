@@ -43,9 +43,9 @@ void add_object(Json& json, const ObjectNames& names, const ObjectRef& object);
 std::string place_text(const Location& location);
 
 /// The text for a pixel of mode path.
-std::string explain_path_text(const LoadedScene& scene, const PathPixel& pixel,
+std::string explain_path_text(const LoadedScene& scene, const ExplainReport& report,
                               const ExplainStyle& style);
 /// Adds the object `pixel` of mode path.
-void add_path_pixel(Json& json, const LoadedScene& scene, const PathPixel& pixel);
+void add_path_pixel(Json& json, const LoadedScene& scene, const ExplainReport& report);
 
 }  // namespace scenefile

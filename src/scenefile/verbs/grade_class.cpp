@@ -11,8 +11,10 @@
 #include "scenefile/io/folder.h"
 #include "scenefile/verbs/class_files.h"
 #include "scenefile/verbs/grade_files.h"
+#include "scenefile/verbs/grade_paths.h"
 #include "scenefile/verbs/load_file.h"
 #include "scenefile/verbs/realtime_table.h"
+#include "scenefile/verbs/render_error.h"
 #include "scenefile/verbs/scene_json.h"
 
 #include <fmt/format.h>
@@ -47,8 +49,9 @@ struct Student {
   std::vector<IgnoredFile> ignored = {};
 };
 
-std::string thumbnail(const Texture& reference, const Texture& picture, int width) {
-  const Texture heat = reduced(heat_map(reference, picture), width);
+std::string thumbnail(const Texture& reference, const Texture& picture, const Texture& map,
+                      int width) {
+  const Texture heat = reduced(map, width);
   const Texture a = reduced(reference, width);
   const Texture b = reduced(picture, width);
   const std::array<const Texture*, 3> pictures{&a, &b, &heat};
@@ -81,7 +84,9 @@ struct Reference {
   std::optional<LoadedScene> scene;
   std::vector<DrawnWay> ways;  // how it was drawn, found with the first picture
   std::vector<DrawnWay> ways_to_try = {};
-  std::uint64_t fingerprint = 0;  // of the file
+  std::uint64_t fingerprint = 0;                     // of the file
+  std::optional<RenderOptions> path = std::nullopt;  // of a path-traced picture
+  std::optional<PathTruth> truth = std::nullopt;     // drawn with the first picture
 };
 
 std::string path_below(const FoundFile& file) {
@@ -152,6 +157,10 @@ struct ClassGrader::State {
   }
 
   Result<void> load_references(const LoadShownScene& load_scene) {
+    if (request_.path) {
+      const Result<void> loaded = load_path_references(load_scene);
+      return loaded ? check_map() : loaded;
+    }
     std::vector<Error> errors;
     const auto found_below = [&](const std::string& folder, bool (*wanted)(std::string_view)) {
       std::vector<FoundFile> found;
@@ -210,16 +219,7 @@ struct ClassGrader::State {
     if (references_.empty()) {
       return Error{fmt::format("{} contains no pictures", quoted(request_.references, 400))};
     }
-    for (const NamePair& pair : request_.map) {
-      if (std::none_of(files_.begin(), files_.end(),
-                       [&](const FoundFile& file) { return is_named(file, pair.reference); })) {
-        return Error{fmt::format("the map assigns {} to the reference {}, but {} has no such file",
-                                 quoted(pair.handed_in, 400), quoted(pair.reference, 400),
-                                 quoted(request_.references, 400)),
-                     ErrorKind::input};
-      }
-    }
-    return {};
+    return check_map();
   }
 
   // Finds the pictures of all students.
@@ -316,6 +316,53 @@ struct ClassGrader::State {
   }
 
  private:
+  // References are configurations of the path tracer.
+  Result<void> load_path_references(const LoadShownScene& load_scene) {
+    Result<std::vector<PathReference>> found =
+        path_references(request_.references, request_.scenes, *request_.path);
+    if (!found) {
+      return found.error();
+    }
+    for (PathReference& one : *found) {
+      add_input("configuration", one.file.path);
+      add_input("scene of a reference", one.scene);
+      Reference& reference = references_.emplace_back();
+      reference.scene = load_scene(one.scene);
+      if (!reference.scene->usable()) {
+        return Error{fmt::format("{}: its scene {} cannot be used{}", escaped(one.file.path, 400),
+                                 quoted(one.scene, 400),
+                                 request_.scenes.empty()
+                                     ? "; it is relative to the working directory, or to --scenes"
+                                     : ""),
+                     ErrorKind::input};
+      }
+      reference.path = one.options;
+      fingerprint_.add(one.text);
+      fingerprint_.add(reference.scene->text);
+      add_number(fingerprint_, reference.scene->asset_fingerprint);
+      files_.push_back(std::move(one.file));
+    }
+    const std::vector<std::string> names = reference_names(files_);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      references_[i].name = names[i];
+    }
+    return {};
+  }
+
+  // Whether all references of the map exist.
+  Result<void> check_map() const {
+    for (const NamePair& pair : request_.map) {
+      if (std::none_of(files_.begin(), files_.end(),
+                       [&](const FoundFile& file) { return is_named(file, pair.reference); })) {
+        return Error{fmt::format("the map assigns {} to the reference {}, but {} has no such file",
+                                 quoted(pair.handed_in, 400), quoted(pair.reference, 400),
+                                 quoted(request_.references, 400)),
+                     ErrorKind::input};
+      }
+    }
+    return {};
+  }
+
   void add_input(std::string_view role, const std::string& path) {
     inputs_.push_back({path, fmt::format("the {} {}", role, escaped(path))});
   }
@@ -599,6 +646,10 @@ struct ClassGrader::State {
       result.reasons = {picture.error().text};
       return result;
     }
+    if (reference.path) {
+      grade_path(reference, *picture, result, go_on);
+      return result;
+    }
     if (result.fingerprint == reference.fingerprint) {
       result.notes.emplace_back("the file is that of the reference, byte for byte");
     }
@@ -651,12 +702,57 @@ struct ClassGrader::State {
     return result;
   }
 
-  // Those of pictures that passed are smaller.
+  // Without a result if `go_on` returns false.
+  void grade_path(Reference& reference, const DecodedPicture& picture, PictureResult& result,
+                  const std::function<bool(double)>& go_on) const {
+    const RenderOptions& options = *reference.path;
+    const Texture& shown = picture.texture;
+    result.path_traced = true;
+    result.measures.same_size = shown.width == options.width && shown.height == options.height;
+    result.measures.size = {shown.width, shown.height};
+    result.measures.right_size = {options.width, options.height};
+    result.verdict = Verdict::differs;
+    if (!result.measures.same_size) {
+      result.reasons = {fmt::format("the size is {}x{}, expected {}x{}", shown.width, shown.height,
+                                    options.width, options.height)};
+      return;
+    }
+    if (!reference.truth) {
+      enter("drawing the truth");
+      PathTruth truth;
+      const RenderStatus drawn =
+          draw_truth(*reference.scene, options, request_.seconds, go_on, truth);
+      if (const std::optional<Error> error = render_error(drawn)) {
+        result.reasons = {error->text};
+        return;
+      }
+      reference.truth = std::move(truth);
+    }
+    enter("comparing the pictures");
+    const PathVerdict verdict = judge_path(*reference.truth, picture);
+    set_result(verdict, result);
+    if (picture.not_finite > 0) {
+      result.notes.push_back(not_finite_text(picture));
+    }
+    if (request_.thumbnails) {
+      add_thumbnail(truth_picture(*reference.truth), shown,
+                    significance_picture(*reference.truth, verdict), result);
+    }
+  }
+
   void add_thumbnail(const Texture& reference, const Texture& picture,
                      PictureResult& result) const {
     if (request_.thumbnails) {
+      add_thumbnail(reference, picture, heat_map(reference, picture), result);
+    }
+  }
+
+  // Those of pictures that passed are smaller.
+  void add_thumbnail(const Texture& reference, const Texture& picture, const Texture& map,
+                     PictureResult& result) const {
+    if (request_.thumbnails) {
       result.png =
-          thumbnail(reference, picture,
+          thumbnail(reference, picture, map,
                     result.verdict == Verdict::passed ? passed_thumbnail_width : thumbnail_width_);
     }
   }
@@ -774,7 +870,9 @@ std::string gradebook_json(const Gradebook& book) {
       json.begin_object();
       json.add("name", picture.name);
       json.add("verdict", name_of(picture.verdict));
-      if (picture.verdict == Verdict::passed || picture.verdict == Verdict::differs) {
+      if (picture.path_traced) {
+        json.add("path_traced", true);
+      } else if (picture.verdict == Verdict::passed || picture.verdict == Verdict::differs) {
         add_measures(json, picture.measures);
       }
       add_clauses(json, "reasons", picture.reasons);

@@ -4,12 +4,14 @@
 #include "scenefile/base/result.h"
 #include "scenefile/gradebook/gradebook.h"
 #include "scenefile/io/used_files.h"
+#include "scenefile/verbs/compare_paths.h"
 #include "scenefile/verbs/compare_pictures.h"
 #include "scenefile/verbs/grade_files.h"
 
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +27,10 @@ struct GradeRequest {
   std::string layer{};        ///< of EXR files with layers
   bool thumbnails = false;    ///< create PictureResult::png
   std::vector<NamePair> map;  ///< pairs of names that the rules of grade_files.h cannot match
+  /// Options of mode path: the pictures are path-traced, and the references are configurations of
+  /// the course (grade_paths.h); thresholds are not used.
+  std::optional<RenderOptions> path = std::nullopt;
+  double seconds = truth_seconds;  ///< mode path: processor time for each truth
 };
 
 /// Classes with more pictures get smaller thumbnails, which callers should write to files instead

@@ -49,12 +49,12 @@ void visit_record(T& claim, const Member& member) {
 template <ConstOrNot<PictureResult> T, typename Member>
 void visit_record(T& picture, const Member& member) {
   auto& [name, verdict, measures, reasons, causes, rivals, partial, notes, png, png_file,
-         fingerprint, identical] = picture;
+         fingerprint, identical, path_traced] = picture;
   member("name", name), member("verdict", verdict), member("measures", measures);
   member("reasons", reasons), member("causes", causes), member("rivals", rivals);
   member("partial", partial), member("notes", notes), member("png", png);
   member("png_file", png_file), member("fingerprint", fingerprint);
-  member("identical", identical);
+  member("identical", identical), member("path_traced", path_traced);
 }
 
 template <ConstOrNot<StudentResult> T, typename Member>

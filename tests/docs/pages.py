@@ -137,6 +137,10 @@ def make_files(folder, program):
     for place in ("submissions", "handed-in", "class"):
         (folder / place / "ada").mkdir(parents=True)
         shutil.copy(folder / "mine.png", folder / place / "ada" / "chess.png")
+    (folder / "inis").mkdir()
+    (folder / "inis/box.ini").write_text("[IO]\nscene = box.xml\noutput = out/box.png\n[Settings]\nimageWidth = 64\n"
+                                         "imageHeight = 48\nsamplesPerPixel = 16\npathContinuationProb = 0.9\n")
+    shutil.copy(folder / "mine.pfm", folder / "submissions" / "ada" / "box.pfm")
 
 
 def run_commands(program):

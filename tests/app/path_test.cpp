@@ -125,12 +125,22 @@ TEST_F(PathCommand, RefusesWhatItDoesNotHave) {
   const ProgramRun frames = run_program(
       {"frames", scene, "-o", folder.path("f%d.png"), "--turntable", "2", "--mode", "path"});
   EXPECT_EQ(frames.status, 2);
-  EXPECT_THAT(frames.err,
-              HasSubstr("--mode path is for render, explain, view, diff and grade, not for frames"));
-  const ProgramRun mine = run_program(
-      {"explain", scene, "--pixel", "5,5", "--mode", "path", "--mine", folder.path("a.png")});
-  EXPECT_EQ(mine.status, 2);
-  EXPECT_THAT(mine.err, HasSubstr("--mine has no effect on paths"));
+  EXPECT_THAT(
+      frames.err,
+      HasSubstr("--mode path is for render, explain, view, diff and grade, not for frames"));
+  const ProgramRun reference =
+      run_program({"explain", scene, "--pixel", "5,5", "--mode", "path", "--mine",
+                   folder.path("a.png"), "--reference", folder.path("b.png")});
+  EXPECT_EQ(reference.status, 2);
+  EXPECT_THAT(reference.err, HasSubstr("--reference has no effect on paths"));
+}
+
+TEST_F(PathCommand, ExplainsThePixelsAroundOneOfMine) {
+  ASSERT_EQ(render("mine.pfm", {"--mode", "path", "--samples", "16"}).status, 0);
+  const ProgramRun mine = run_program({"explain", scene, "--pixel", "5,5", "--mine",
+                                       folder.path("mine.pfm"), "--mode", "path", "--time", "1"});
+  EXPECT_EQ(mine.status, 0) << mine.err;
+  EXPECT_THAT(mine.out, AllOf(HasSubstr("yours at 0,0..7,7: "), HasSubstr("the truth ")));
 }
 
 TEST_F(PathCommand, IsImpliedByItsOptionsAndLayers) {

@@ -45,7 +45,7 @@ struct PathNeighborhood {
   PixelRegion block;
   Color truth{0};
   double truth_error = 0;     ///< standard error of the luminance
-  std::optional<Color> mine;  ///< nullopt: clipped, or near a visible lamp
+  std::optional<Color> mine;  ///< nullopt: black in both, clipped, or near a lamp
   double error = 0;           ///< of the difference: both noises
   double significance = 0;
   std::vector<PathTerm> terms;  ///< of the truth; bounces add up to it

@@ -68,7 +68,7 @@ class PathText {
         n.mine ? fmt::format("{}, {:.1f} standard errors {} (up to {:.1f} by chance)",
                              color(*n.mine), std::abs(n.significance),
                              n.significance < 0 ? "darker" : "brighter", n.verdict.critical)
-               : std::string("not compared: clipped, or near a visible lamp")));
+               : std::string("not compared: black in both, clipped, or near a visible lamp")));
     ExplainItem& truth = item.add(
         fmt::format("the truth {}, with an error of {:.2g}{}", color(n.truth), n.truth_error,
                     n.mine ? fmt::format("; of the difference {:.2g}", n.error) : std::string()));

@@ -843,7 +843,7 @@ PictureComparison compare(const Texture& given, const Texture& test, const Image
         ways.front().words != settings.ways.front().words) {
       found.contradicted = settings.ways.front().words;
     }
-    const Part part{found.whole, found.corner, 1, asked};
+    const Part part{found.whole, found.corner, 1, {}, asked};
     const bool noisy = settings.lossy || found.resampled || has_palette(shown);
     look_for_causes(reference, shown, drawable, ways, part, noisy, settings, forward, found);
     if (found.where && !found.scene_fits()) {  // the pictures show other objects there

@@ -127,7 +127,7 @@ class GradePaths : public testing::Test {
     request.scenes = path("");
     request.thumbnails = true;
     request.path = options();
-    request.seconds = 1;
+    request.seconds = 4;
     Result<Gradebook> book = grade_class(request, [&](const std::string&) { return scene_; });
     EXPECT_TRUE(book) << (book ? "" : book.error().text);
     return book ? *std::move(book) : Gradebook();

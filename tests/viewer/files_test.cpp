@@ -30,6 +30,17 @@ TEST(FileWatch, ReportsAChangeOnceWhenTheFileIsStable) {
   EXPECT_FALSE(watch.changed());
 }
 
+TEST(FileWatch, WatchingAFileAgainKeepsItsChange) {
+  testing_support::TempFolder folder;
+  const std::string path = folder.write("a.xml", "first");
+  FileWatch watch;
+  watch.watch({path});
+  folder.write("a.xml", "second text");
+  watch.watch({folder.path("texture.png"), path});
+  EXPECT_FALSE(watch.changed());
+  EXPECT_TRUE(watch.changed());
+}
+
 TEST(FileWatch, AFileOfTheSameSizeAndTimeIsAnotherFile) {
   const TempFolder folder;
   const std::string path = folder.write("a.xml", "one");

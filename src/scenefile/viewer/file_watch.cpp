@@ -1,5 +1,6 @@
 #include "scenefile/viewer/file_watch.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace scenefile::viewer {
@@ -14,9 +15,17 @@ std::vector<FileStamp> FileWatch::stamps() const {
 }
 
 void FileWatch::watch(std::vector<std::string> paths) {
+  std::vector<FileStamp> known;
+  std::vector<FileStamp> seen;
+  for (const std::string& path : paths) {
+    const auto before = std::find(paths_.begin(), paths_.end(), path);
+    const std::size_t i = std::size_t(before - paths_.begin());
+    known.push_back(before != paths_.end() ? known_[i] : stamp_of(path));
+    seen.push_back(before != paths_.end() ? seen_[i] : known.back());
+  }
   paths_ = std::move(paths);
-  known_ = stamps();
-  seen_ = known_;
+  known_ = std::move(known);
+  seen_ = std::move(seen);
 }
 
 bool FileWatch::changed() {

@@ -10,7 +10,8 @@ namespace scenefile::viewer {
 
 class FileWatch {
  public:
-  /// Starts watching these files; their current state counts as known.
+  /// Watches these files from now on, and no others. The current state of those that were not
+  /// watched before counts as known.
   void watch(std::vector<std::string> paths);
 
   /// Whether a file was replaced or modified, and did not change between two consecutive calls.

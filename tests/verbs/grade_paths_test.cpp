@@ -1,7 +1,7 @@
 #include "scenefile/verbs/grade_paths.h"
 
+#include "io/temp_folder.h"
 #include "scenefile/asset/image_file.h"
-#include "scenefile/io/file.h"
 #include "scenefile/path/lamps.h"
 #include "scenefile/path/render_path.h"
 #include "scenefile/verbs/explain.h"
@@ -11,7 +11,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -67,8 +66,6 @@ constexpr const char* config =
 class GradePaths : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) / "grade_paths";
-    std::filesystem::remove_all(folder_);
     write("room.xml", room);
     write("room.obj", walls);
     write("room.mtl", materials);
@@ -87,10 +84,9 @@ class GradePaths : public testing::Test {
     return text;
   }
 
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return folder_.path(name); }
   void write(const std::string& name, const std::string& bytes) const {
-    std::filesystem::create_directories((folder_ / name).parent_path());
-    ASSERT_TRUE(write_file(path(name), bytes));
+    folder_.write(name, bytes);
   }
 
   static RenderOptions options() {
@@ -127,13 +123,13 @@ class GradePaths : public testing::Test {
     request.scenes = path("");
     request.thumbnails = true;
     request.path = options();
-    request.seconds = 4;
+    request.seconds = 1;
     Result<Gradebook> book = grade_class(request, [&](const std::string&) { return scene_; });
     EXPECT_TRUE(book) << (book ? "" : book.error().text);
     return book ? *std::move(book) : Gradebook();
   }
 
-  std::filesystem::path folder_;
+  testing_support::TempFolder folder_;
   LoadedScene scene_;
 };
 

@@ -143,7 +143,7 @@ Pixels sorted_pixels(const Texture& reference, const Texture& test,
       const std::uint8_t* t = test.texel(x, y);
       const auto index = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(test.width) +
                          static_cast<std::uint32_t>(x);
-      const float within = noise.empty() ? 0 : noise[index];
+      const double within = noise.empty() ? 0 : double{noise[index]};
       if (std::isinf(within)) {
         continue;
       }

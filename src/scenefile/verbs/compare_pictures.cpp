@@ -5,6 +5,7 @@
 #include "scenefile/explain/object_names.h"
 #include "scenefile/trace/features.h"
 #include "scenefile/trace/render.h"
+#include "scenefile/verbs/jpeg_noise.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -173,53 +174,21 @@ Looked without_noise(const Looked& look) {
           {whole / double(k), part.corner / double(k), 2, {}, asked}};
 }
 
-// By pixel, the contrast in its block of 16x16 pixels, in which a JPEG compresses colors together.
-std::vector<float> contrast_of_blocks(const Texture& picture) {
-  constexpr int side = 16;
-  std::vector<float> contrast(std::size_t(picture.width) * picture.height);
-  for (int top = 0; top < picture.height; top += side) {
-    for (int left = 0; left < picture.width; left += side) {
-      const int right = std::min(left + side, picture.width);
-      const int bottom = std::min(top + side, picture.height);
-      std::array<std::uint8_t, 3> low{255, 255, 255};
-      std::array<std::uint8_t, 3> high{0, 0, 0};
-      for (int y = top; y < bottom; ++y) {
-        for (int x = left; x < right; ++x) {
-          for (std::size_t c = 0; c < 3; ++c) {
-            low[c] = std::min(low[c], picture.texel(x, y)[c]);
-            high[c] = std::max(high[c], picture.texel(x, y)[c]);
-          }
-        }
-      }
-      const int most = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
-      for (int y = top; y < bottom; ++y) {
-        const auto row = contrast.begin() + std::ptrdiff_t(y) * picture.width;
-        std::fill(row + left, row + right, static_cast<float>(most));
-      }
-    }
-  }
-  return contrast;
-}
-
 // Only the pixels that compression as a JPEG has hardly changed, because there is little contrast
-// near them: of 100, one is off by more than 5/255.
-Looked in_calm_blocks(const Looked& look) {
+// near them: of 100, one is off by more than 5/255. `contrast`: contrast_of_blocks() of the test.
+Looked in_calm_blocks(Looked look, const std::vector<float>& contrast) {
   constexpr float low_contrast = 20;
-  Looked calm = look;
-  calm.part.noise = contrast_of_blocks(look.test);
-  for (float& noise : calm.part.noise) {
-    noise = noise <= low_contrast ? 0 : std::numeric_limits<float>::infinity();
+  for (const float here : contrast) {
+    look.part.noise.push_back(here <= low_contrast ? 0 : std::numeric_limits<float>::infinity());
   }
-  return calm;
+  return look;
 }
 
 // All pixels, as means in which the noise is small; where there is contrast, some of it is left.
-Looked with_noise_of_blocks(const Looked& look) {
+Looked with_noise_of_blocks(const Looked& look, const std::vector<float>& contrast) {
   constexpr float share_of_contrast = 0.1F;  // of nine in ten means of 2x2 pixels, at quality 90
   Looked means = without_noise(look);
-  const std::vector<float> contrast = contrast_of_blocks(look.test);
   const int k = look.test.width / means.test.width;
-  means.part.noise.reserve(std::size_t(means.test.width) * means.test.height);
   for (int y = 0; y < means.test.height; ++y) {
     for (int x = 0; x < means.test.width; ++x) {
       means.part.noise.push_back(share_of_contrast *
@@ -263,47 +232,6 @@ CauseReport causes_of(const Looked& look, const LoadedScene& scene,
     }
   }
   return found;
-}
-
-// Whether the pictures differ as by the compression of a JPEG: in nearly all blocks of 16x16
-// pixels, the means are equal, and pixels differ by little for the contrast there. Sizes must be
-// equal.
-bool differ_by_compression(const Texture& reference, const Texture& test) {
-  constexpr int side = 16;
-  constexpr double max_share = 0.005;
-  const auto largest = [](const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); };
-  std::size_t unlike = 0;
-  std::size_t all = 0;
-  for (int top = 0; top < test.height; top += side) {
-    for (int left = 0; left < test.width; left += side) {
-      const int right = std::min(left + side, test.width);
-      const int bottom = std::min(top + side, test.height);
-      glm::dvec3 low(255);
-      glm::dvec3 high(0);
-      glm::dvec3 sum(0);
-      glm::dvec3 squares(0);
-      for (int y = top; y < bottom; ++y) {
-        for (int x = left; x < right; ++x) {
-          const std::uint8_t* r = reference.texel(x, y);
-          const std::uint8_t* t = test.texel(x, y);
-          const glm::dvec3 value(r[0], r[1], r[2]);
-          const glm::dvec3 off = value - glm::dvec3(t[0], t[1], t[2]);
-          low = glm::min(low, value);
-          high = glm::max(high, value);
-          sum += off;
-          squares += off * off;
-        }
-      }
-      const double contrast = largest(high - low);
-      const double pixels = (right - left) * (bottom - top);
-      unlike += largest(glm::abs(sum)) / pixels > 3 + 0.02 * contrast ||
-                        std::sqrt(largest(squares) / pixels) > 4 + 0.15 * contrast
-                    ? 1
-                    : 0;
-      ++all;
-    }
-  }
-  return static_cast<double>(unlike) <= max_share * static_cast<double>(all);
 }
 
 bool explains_nothing(const CauseReport& report) {
@@ -419,17 +347,21 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
   const auto nothing_found = [&] {
     return found.scene_fits() && found.causes.claims.empty() && found.causes.notes.empty();
   };
-  LookFor look_for = LookFor::several_at_once;
   if (settings.lossy) {
-    found.causes = causes_of(in_calm_blocks(as_it_is), *scene, ways, go_on, look_for, way);
+    const std::vector<float> contrast = contrast_of_blocks(test);
+    found.causes = causes_of(in_calm_blocks(as_it_is, contrast), *scene, ways, go_on,
+                             LookFor::several_at_once, way);
     found.causes.route.insert(0, found.causes.route.empty() ? "" : "calm+");
-    look_for = explains_nothing(found.causes) ? LookFor::single_mistakes : look_for;
-  }
-  if (!settings.lossy || nothing_found()) {
-    found.causes = causes_of(settings.lossy ? with_noise_of_blocks(as_it_is)
-                             : noisy        ? without_noise(as_it_is)
-                                            : as_it_is,
-                             *scene, ways, go_on, look_for, way);
+    if (nothing_found()) {
+      // If several mistakes do not explain the calm pixels that differ, they do not explain all.
+      const LookFor look_for =
+          explains_nothing(found.causes) ? LookFor::single_mistakes : LookFor::several_at_once;
+      found.causes =
+          causes_of(with_noise_of_blocks(as_it_is, contrast), *scene, ways, go_on, look_for, way);
+    }
+  } else {
+    found.causes = causes_of(noisy ? without_noise(as_it_is) : as_it_is, *scene, ways, go_on,
+                             LookFor::several_at_once, way);
   }
   found.other_outlines = explains_nothing(found.causes) && found.causes.partial.empty() &&
                          have_other_outlines(reference, test);

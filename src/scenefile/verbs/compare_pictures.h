@@ -42,7 +42,7 @@ struct CompareSettings {
   std::vector<DrawnWay> ways;  ///< the most similar to the reference is used
   bool ways_fit = false;       ///< `ways` are already the result of ways_drawn()
   LookForCauses look = LookForCauses::where_broken;  ///< for pictures that are not equal
-  bool lossy = false;  ///< JPEGs: causes are looked for in smaller pictures, with less noise
+  bool lossy = false;  ///< a picture is a JPEG: its colors are as exact as compression leaves them
   /// A pixel of the picture under test to draw with the mistakes: PictureComparison::asked.
   std::optional<glm::ivec2> asked = std::nullopt;
 };

@@ -48,7 +48,7 @@ std::vector<TermWith> terms_with(const LoadedScene& loaded, const Terms& ours,
 bool shows_nothing(const PictureComparison& found) {
   const CauseReport& causes = found.causes;
   return !found.broken.empty() && causes.claims.empty() && causes.partial.empty() &&
-         causes.notes.empty() && causes.share_different >= 0.001 && found.scene_fits() &&
+         causes.notes.empty() && causes.share_different >= max_share_same && found.scene_fits() &&
          !found.exchanged && !found.right_at_other_size;
 }
 

@@ -72,7 +72,7 @@ void follow_causes(const PictureComparison& compared, PictureResult& result) {
                       compared.measures.difference.psnr_db)};
     }
   } else if (report.partial.empty() && !compared.other_size() &&
-             (report.share_different < 0.001 || !report.notes.empty())) {
+             (report.share_different < max_share_same || !report.notes.empty())) {
     result.verdict = Verdict::passed;
     result.reasons.clear();
   }
@@ -750,11 +750,9 @@ struct ClassGrader::State {
   // Those of pictures that passed are smaller.
   void add_thumbnail(const Texture& reference, const Texture& picture, const Texture& map,
                      PictureResult& result) const {
-    if (request_.thumbnails) {
-      result.png =
-          thumbnail(reference, picture, map,
-                    result.verdict == Verdict::passed ? passed_thumbnail_width : thumbnail_width_);
-    }
+    result.png =
+        thumbnail(reference, picture, map,
+                  result.verdict == Verdict::passed ? passed_thumbnail_width : thumbnail_width_);
   }
 
   const GradeRequest& request_;

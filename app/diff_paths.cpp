@@ -1,11 +1,9 @@
 #include "app/diff_paths.h"
 
-#include "app/load.h"
 #include "app/output.h"
 #include "app/progress.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/file.h"
-#include "scenefile/verbs/compare_paths.h"
 #include "scenefile/verbs/scene_json.h"
 
 #include <fmt/format.h>
@@ -102,6 +100,24 @@ bool are_path_traced(const Options& options, const LoadedScene& scene) {
           lit_by_faces_only(scene) && option_without_paths(options).empty());
 }
 
+double seconds_of_truth(const Options& options) {
+  return options.seconds > 0 ? options.seconds : truth_seconds;
+}
+
+Outcome draw_truth_of(const LoadedScene& scene, const Options& options, Context& context,
+                      PathTruth& truth) {
+  context.phase = "drawing the truth";
+  ProgressBar bar(!options.quiet && !options.json && wants_progress());
+  const RenderStatus drawn = draw_truth(
+      scene, options.render, seconds_of_truth(options),
+      [&](double done) {
+        bar.update(done);
+        return true;
+      },
+      truth);
+  return outcome_of(drawn, context);
+}
+
 ExitCode diff_paths(Options options, std::span<const LoadedPicture> pictures,
                     const LoadedScene& scene, Context& context) {
   const Texture& mine = pictures.back().picture.texture;
@@ -116,17 +132,9 @@ ExitCode diff_paths(Options options, std::span<const LoadedPicture> pictures,
   set_path_mode(options);
   options.render.width = mine.width;
   options.render.height = mine.height;
-  context.phase = "drawing the truth";
-  ProgressBar bar(!options.quiet && !options.json && wants_progress());
   PathTruth truth;
-  const RenderStatus drawn = draw_truth(
-      scene, options.render, options.seconds > 0 ? options.seconds : truth_seconds,
-      [&](double done) {
-        bar.update(done);
-        return true;
-      },
-      truth);
-  if (const Outcome outcome = outcome_of(drawn, context); !outcome.error.empty()) {
+  if (const Outcome outcome = draw_truth_of(scene, options, context, truth);
+      !outcome.error.empty()) {
     say_error(outcome.error);
     return outcome.status;
   }

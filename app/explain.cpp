@@ -1,10 +1,10 @@
 #include "scenefile/verbs/explain.h"
 
 #include "app/command.h"
+#include "app/diff_paths.h"
 #include "app/load.h"
 #include "app/load_picture.h"
 #include "app/output.h"
-#include "app/progress.h"
 #include "app/realtime.h"
 #include "scenefile/base/text.h"
 
@@ -66,17 +66,8 @@ std::array<std::uint8_t, 3> value_at(const Texture& picture, const PixelPlace& p
 // Compares a path-traced picture with the truth.
 Outcome add_around(const LoadedScene& scene, const Options& options, const LoadedPicture& mine,
                    Context& context, ExplainReport& report) {
-  context.phase = "drawing the truth";
-  ProgressBar bar(!options.quiet && !options.json && wants_progress());
   PathTruth truth;
-  const RenderStatus drawn = draw_truth(
-      scene, options.render, options.seconds > 0 ? options.seconds : truth_seconds,
-      [&](double done) {
-        bar.update(done);
-        return true;
-      },
-      truth);
-  if (Outcome outcome = outcome_of(drawn, context); !outcome.error.empty()) {
+  if (Outcome outcome = draw_truth_of(scene, options, context, truth); !outcome.error.empty()) {
     return outcome;
   }
   context.phase = "comparing the pictures";

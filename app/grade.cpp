@@ -1,4 +1,5 @@
 #include "app/command.h"
+#include "app/diff_paths.h"
 #include "app/grade_results.h"
 #include "app/item_key.h"
 #include "app/load.h"
@@ -246,7 +247,7 @@ ExitCode run_grade(const Options& options, Context& context) {
       .thumbnails = !options.store.empty() || !options.report.empty() || !options.pages.empty(),
       .map = *std::move(map),
       .path = options.render.mode == Mode::path ? std::optional(options.render) : std::nullopt,
-      .seconds = options.seconds > 0 ? options.seconds : truth_seconds};
+      .seconds = seconds_of_truth(options)};
   const auto load_scene = [&](const std::string& path) {
     LoadedScene scene = load_scene_of_pictures(path, options, context);
     if (status_of(scene) == ExitCode::usage) {

@@ -38,8 +38,7 @@ bool is_on(const Session& session, Action action) {
     case Action::other:
     case Action::difference:
     case Action::flip:
-      return static_cast<int>(session.compare) ==
-             static_cast<int>(action) - static_cast<int>(Action::side_by_side) + 1;
+      return session.compare == compare_view_of(action);
     case Action::magnifier:
       return session.magnifier;
     case Action::linear_values:

@@ -296,6 +296,8 @@ void compare_ours(Session& session, Texture ours);
 std::vector<Sides> possible_sides(const Session& session);
 /// The ones that are compared; equal: there are none.
 Sides sides_of(const Session& session);
+/// The view that an action switches on and off; off: none.
+CompareView compare_view_of(Action action);
 /// Whether they can be compared now: the camera is the scene's own.
 bool is_comparable(const Session& session);
 /// The file's picture of this role; null: there is none, or it is ours.

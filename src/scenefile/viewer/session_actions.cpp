@@ -151,9 +151,7 @@ bool can_compare(Session& session) {
 // Shows the pictures this way, or only ours again.
 void compare_by(Session& session, Action action) {
   if (can_compare(session)) {
-    const auto view =
-        static_cast<CompareView>(static_cast<int>(CompareView::side_by_side) +
-                                 static_cast<int>(action) - static_cast<int>(Action::side_by_side));
+    const CompareView view = compare_view_of(action);
     session.compare = session.compare == view ? CompareView::off : view;
   }
 }
@@ -434,6 +432,25 @@ void perform_on_window(Session& session, Action action) {
 }
 
 }  // namespace
+
+CompareView compare_view_of(Action action) {
+  switch (action) {
+    case Action::side_by_side:
+      return CompareView::side_by_side;
+    case Action::split:
+      return CompareView::split;
+    case Action::flicker:
+      return CompareView::flicker;
+    case Action::other:
+      return CompareView::other;
+    case Action::difference:
+      return CompareView::difference;
+    case Action::flip:
+      return CompareView::flip;
+    default:
+      return CompareView::off;
+  }
+}
 
 void perform(Session& session, Action action, const KeyPress& key) {
   if (needs_scene(action)) {

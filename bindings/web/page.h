@@ -1,6 +1,7 @@
 #pragma once
 // Shared by the functions for the page (page.cpp, page_tools.cpp).
 
+#include "answer.h"
 #include "scenefile/asset/image.h"
 #include "scenefile/base/realtime.h"
 #include "scenefile/base/result.h"
@@ -8,15 +9,12 @@
 #include "scenefile/path/path_scene.h"
 #include "scenefile/path/path_state.h"
 #include "scenefile/trace/trace_scene.h"
-#include "scenefile/verbs/json_writer.h"
 #include "scenefile/verbs/load_file.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <iterator>
-#include <new>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -54,26 +52,12 @@ inline const char* give(std::string text) {
   return page().answer.c_str();
 }
 
-inline std::string error_json(const std::string& text) {
-  Json json;
-  json.begin_object();
-  json.add("error", text);
-  json.end_object();
-  return json.text();
-}
-
-// Runs `work` and turns exceptions into answers, so that every call has one.
 template <typename Work>
 const char* answered(const Work& work) {
-  try {
-    return give(work());
-  } catch (const std::bad_alloc&) {
+  return give(answer_of(work, [] {
     page().paths.reset();
     page().traced.reset();
-    return give(error_json("out of memory"));
-  } catch (const std::exception& error) {
-    return give(error_json(error.what()));
-  }
+  }));
 }
 
 inline const std::uint8_t* show(const Texture& picture) {

@@ -5,15 +5,13 @@
 // first byte, and page_edit_answer_size() the length; the answer is valid until the next call.
 // Items and fields are indices into what page_edit_open() and page_edit_fields() answered.
 
+#include "answer.h"
 #include "scenefile/edit/edits.h"
 #include "scenefile/lsp/completion.h"
 #include "scenefile/scene/vocabulary_words.h"
-#include "scenefile/verbs/json_writer.h"
 
 #include <algorithm>
-#include <exception>
 #include <limits>
-#include <new>
 
 namespace scenefile {
 
@@ -65,30 +63,19 @@ const Document& open_document() {
   return *editing().document;
 }
 
-std::string error_answer(std::string_view text) {
-  Json json;
-  json.begin_object();
-  json.add("error", text);
-  json.end_object();
-  return json.text();
-}
-
 // `work` writes the members of the answer, or returns why there are none.
 template <typename Work>
 const char* answer_with(const Work& work) {
-  std::string& answer = editing().answer;
-  try {
-    Json json;
-    json.begin_object();
-    const std::optional<Error> error = work(json);
-    json.end_object();
-    answer = error ? error_answer(error->text) : json.text();
-  } catch (const std::bad_alloc&) {
-    answer = error_answer("out of memory");
-  } catch (const std::exception& error) {
-    answer = error_answer(error.what());
-  }
-  return answer.c_str();
+  editing().answer = answer_of(
+      [&] {
+        Json json;
+        json.begin_object();
+        const std::optional<Error> error = work(json);
+        json.end_object();
+        return error ? error_json(error->text) : json.text();
+      },
+      [] {});
+  return editing().answer.c_str();
 }
 
 std::string_view word_of_kind(ItemKind kind) {

@@ -504,6 +504,20 @@ std::vector<Tried> with_fitted_functions(Simulation& sim, std::vector<Tried> alo
   return fitting;
 }
 
+// Claims a shift that explains the edges. `all`: only one by less than a pixel that explains all of
+// the picture.
+bool claim_shift(Simulation& sim, const Pixels& pixels, bool all, CauseReport& report) {
+  const PointsRestored restored(sim);
+  const std::optional<Tried> shift = find_shift(sim, pixels);
+  if (!shift || (all && !(is_subpixel(sim, *shift) && sure(*shift) &&
+                          leaves_only_rounding(sim, shift->mistakes)))) {
+    return false;
+  }
+  sim.route = "shift";
+  claim(sim, *shift, {}, {}, report);
+  return true;
+}
+
 // `asked`: what find_causes() was asked to look for. `likely`: set to what explains most, without
 // claims.
 void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor asked,
@@ -546,6 +560,10 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
   }
   if (!report.claims.empty()) {
     sim.route = report.claims.size() == 1 ? "acne" : "acne+camera";
+    return;
+  }
+  if (!single && look_for == LookFor::several_at_once && sim.usable &&
+      claim_shift(sim, pixels, true, report)) {
     return;
   }
   if (single) {
@@ -637,21 +655,12 @@ bool claim_edited_scene(Simulation& sim, const std::vector<Combination>& likely,
   return false;
 }
 
-// The report with the claim of other samples of pixels, if these explain the edges.
-CauseReport with_shift_at_edges(Simulation& sim, const Pixels& pixels, CauseReport report) {
-  const PointsRestored restored(sim);
-  if (const std::optional<Tried> shift = find_shift(sim, pixels)) {
-    sim.route = "shift";
-    claim(sim, *shift, {}, {}, report);
-  }
-  return report;
-}
-
 // Claims an edited scene, or other samples. A subpixel shift is likelier than a camera that was
 // moved a little.
 void claim_small_changes(Simulation& sim, const Pixels& pixels, bool edited,
                          const std::vector<Combination>& likely, CauseReport& report) {
-  CauseReport shifted = with_shift_at_edges(sim, pixels, report);
+  CauseReport shifted = report;
+  claim_shift(sim, pixels, false, shifted);
   const bool subpixel =
       !shifted.claims.empty() && shifted.claims.front().cause == Cause::half_pixel_shift;
   if (!edited || subpixel || !claim_edited_scene(sim, likely, report)) {

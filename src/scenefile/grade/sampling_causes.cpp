@@ -480,10 +480,13 @@ std::optional<Tried> find_shift(Simulation& sim, const Pixels& pixels) {
   }
   // Only a subpixel shift leaves much of the edges unexplained.
   const Tried& best = tried.front();
-  const bool by_less = sim.list[best.mistakes.front()].cause == Cause::half_pixel_shift;
-  return (by_less ? best.explained >= enough_shift && best.exact >= 0.5
-                  : sure(best) && leaves_only_rounding(sim, best.mistakes))
+  return (is_subpixel(sim, best) ? best.explained >= enough_shift && best.exact >= 0.5
+                                 : sure(best) && leaves_only_rounding(sim, best.mistakes))
              ? std::optional(best)
              : std::nullopt;
+}
+
+bool is_subpixel(const Simulation& sim, const Tried& shift) {
+  return sim.list[shift.mistakes.front()].cause == Cause::half_pixel_shift;
 }
 }  // namespace scenefile

@@ -29,7 +29,10 @@ std::optional<Claim> claim_of_blur(Simulation& sim, const Pixels& pixels);
 std::vector<std::uint16_t> edge_mistakes(const Simulation& sim);
 /// Adds a mistake in sampling if the edges of the picture show one.
 Tried with_edges(Simulation& sim, const Tried& found);
-/// Subpixel shifts are only visible at edges.
+/// A shift, by less than a pixel or by another camera, that explains the edges best. Subpixel
+/// shifts are only visible there.
 std::optional<Tried> find_shift(Simulation& sim, const Pixels& pixels);
+/// Whether the shift is by less than a pixel.
+bool is_subpixel(const Simulation& sim, const Tried& shift);
 
 }  // namespace scenefile

@@ -8,50 +8,19 @@
 #include "answer.h"
 #include "scenefile/edit/edits.h"
 #include "scenefile/lsp/completion.h"
+#include "scenefile/lsp/text_lines.h"
 #include "scenefile/scene/vocabulary_words.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace scenefile {
 
 namespace {
 
-// Offsets of a text in bytes and in UTF-16 units.
-class Units {
- public:
-  explicit Units(std::string_view text = {}) {
-    if (std::all_of(text.begin(), text.end(), [](char c) { return (c & 0x80) == 0; })) {
-      return;
-    }
-    before_.reserve(text.size() + 1);
-    std::uint32_t count = 0;
-    for (const char c : text) {
-      before_.push_back(count);
-      const auto byte = static_cast<unsigned char>(c);
-      count += byte >= 0xF0 ? 2 : (byte & 0xC0) == 0x80 ? 0 : 1;
-    }
-    before_.push_back(count);
-  }
-
-  std::size_t unit(std::size_t byte) const {
-    return before_.empty() ? byte : before_[std::min(byte, before_.size() - 1)];
-  }
-  std::size_t byte(std::size_t unit) const {
-    return before_.empty()
-               ? unit
-               : static_cast<std::size_t>(std::lower_bound(before_.begin(), before_.end(), unit) -
-                                          before_.begin());
-  }
-
- private:
-  std::vector<std::uint32_t> before_;  // empty if both are the same
-};
-
 struct Editing {
   std::string answer;
   std::optional<Document> document;
-  Units units;
+  Utf16Offsets units;
 };
 
 Editing& editing() {
@@ -157,7 +126,7 @@ std::optional<Error> add_edit(Json& json, const Result<Edit>& edit) {
   json.end_array();
   if (edit->select) {
     const std::string text = applied(e.document->text(), *edit);
-    json.add("select", Units(text).unit(*edit->select));
+    json.add("select", Utf16Offsets(text).unit(*edit->select));
   }
   return std::nullopt;
 }
@@ -215,7 +184,7 @@ const char* page_edit_open(const char* text, std::size_t size, int compat_course
       return document.error();
     }
     e.document = std::move(*document);
-    e.units = Units(e.document->text());
+    e.units = Utf16Offsets(e.document->text());
     json.add("xml", e.document->is_xml());
     json.begin_array("items");
     for (const SceneItem& item : e.document->items()) {
@@ -393,7 +362,7 @@ const char* page_edit_scale(std::size_t item, int axis, double factor) {
 const char* page_edit_complete(const char* text, std::size_t size, std::size_t offset) {
   return answer_with([&](Json& json) -> std::optional<Error> {
     constexpr std::string_view kinds[] = {"element", "attribute", "value"};
-    const Units units({text, size});
+    const Utf16Offsets units({text, size});
     const Completion found = complete({text, size}, units.byte(offset));
     json.add("from", units.unit(found.from));
     json.add("to", units.unit(found.to));
@@ -414,7 +383,7 @@ const char* page_edit_complete(const char* text, std::size_t size, std::size_t o
 /// What the word at an offset means. Without members if it is none of the format.
 const char* page_edit_describe(const char* text, std::size_t size, std::size_t offset) {
   return answer_with([&](Json& json) -> std::optional<Error> {
-    const Units units({text, size});
+    const Utf16Offsets units({text, size});
     if (const std::optional<WordMeaning> word = describe({text, size}, units.byte(offset))) {
       json.add("from", units.unit(word->from));
       json.add("to", units.unit(word->to));

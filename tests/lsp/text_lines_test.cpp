@@ -36,5 +36,18 @@ TEST(TextLines, BrokenUtf8IsACharacterForEachByte) {
   EXPECT_EQ(lines.position(3).character, 3U);
 }
 
+TEST(Utf16Offsets, ConvertBothWays) {
+  const std::string text = "a\u00e9\U0001F600b";
+  const Utf16Offsets offsets(text);
+  EXPECT_EQ(offsets.unit(text.find('b')), 4U);
+  EXPECT_EQ(offsets.byte(4), text.find('b'));
+  EXPECT_EQ(offsets.byte(2), 3U);  // after the e with its accent, not inside it
+  EXPECT_EQ(offsets.unit(2), 1U);
+  EXPECT_EQ(offsets.byte(3), text.find('b'));  // between surrogates
+  EXPECT_EQ(offsets.unit(99), 5U);
+  EXPECT_EQ(offsets.byte(5), text.size());
+  EXPECT_EQ(Utf16Offsets("abc").byte(2), 2U);
+}
+
 }  // namespace
 }  // namespace scenefile

@@ -70,4 +70,28 @@ LspPosition TextLines::position(std::size_t offset) const {
   return position;
 }
 
+Utf16Offsets::Utf16Offsets(std::string_view text) {
+  if (std::all_of(text.begin(), text.end(), [](char c) { return (c & 0x80) == 0; })) {
+    return;
+  }
+  before_.reserve(text.size() + 1);
+  std::uint32_t units = 0;
+  while (!text.empty()) {
+    const std::size_t bytes = character_bytes(text);
+    before_.insert(before_.end(), bytes, units);
+    units += utf16_units(bytes);
+    text.remove_prefix(bytes);
+  }
+  before_.push_back(units);
+}
+
+std::size_t Utf16Offsets::unit(std::size_t byte) const {
+  return before_.empty() ? byte : before_[std::min(byte, before_.size() - 1)];
+}
+
+std::size_t Utf16Offsets::byte(std::size_t unit) const {
+  const auto found = std::lower_bound(before_.begin(), before_.end(), unit);
+  return before_.empty() ? unit : static_cast<std::size_t>(found - before_.begin());
+}
+
 }  // namespace scenefile

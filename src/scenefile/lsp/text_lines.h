@@ -1,6 +1,7 @@
 #pragma once
-// Places in a text that is being edited: offsets in bytes, the positions of the protocol (lines and
-// UTF-16 units from 0), and those of findings (lines and characters from 1). Internal to lsp.
+// Places in a text that is being edited: offsets in bytes and in UTF-16 units, the positions of the
+// protocol (lines and UTF-16 units from 0), and those of findings (lines and characters from 1).
+// Internal to lsp and the web page. A byte that is not UTF-8 counts as one character.
 
 #include "scenefile/base/location.h"
 
@@ -33,6 +34,19 @@ class TextLines {
 
   std::string_view text_;
   std::vector<std::size_t> starts_;
+};
+
+/// Offsets in bytes and in UTF-16 units, those of JavaScript. One inside a character means its
+/// beginning in units, and its end in bytes.
+class Utf16Offsets {
+ public:
+  explicit Utf16Offsets(std::string_view text = {});
+
+  std::size_t unit(std::size_t byte) const;
+  std::size_t byte(std::size_t unit) const;
+
+ private:
+  std::vector<std::uint32_t> before_;  // the units before each byte; empty if both are the same
 };
 
 }  // namespace scenefile

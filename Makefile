@@ -349,6 +349,12 @@ workflows: ## check the workflows and the action for GitHub
 	@cd tests/workflows && npm ci --ignore-scripts --no-audit --no-fund --silent
 	@node tests/workflows/check.js
 
+.PHONY: editors
+editors: build ## the language server in Neovim, Emacs, and VS Code's client, set up as docs/editors.md says
+	@scripts/install-deps editors
+	@cd editors/vscode && npm ci --ignore-scripts --no-audit --no-fund --silent
+	@tests/editors/try.py $(CURDIR)/$(BUILD)/scenefile
+
 .PHONY: install
 install: build ## install to PREFIX (default /usr/local)
 	$(call compile,scenefile_manual)

@@ -266,5 +266,20 @@ TEST_F(Client, BrokenMessagesAreSafe) {
   }
 }
 
+TEST_F(Client, SaysWhatValuesAre) {
+  initialize();
+  const std::string use = R"({"textDocument": {"uri": "s"}})";
+  open(
+      "<scenefile><!-- \U0001F600 --><lightdata>\n<id v='1'/><type v='spot'/></lightdata>\n"
+      "<object type='tree' name='7'/></scenefile>");
+  // Lines and columns after the token before, length, type, whether it declares.
+  EXPECT_EQ(result("textDocument/semanticTokens/full", use),
+            R"({"data":[1,7,1,0,0,0,13,4,1,0,1,14,4,1,0,0,12,1,2,1]})");
+  open(R"({"name": "root", "templateGroups": [{"name": "a"}], "groups": [{"name": "a"}]})");
+  EXPECT_EQ(result("textDocument/semanticTokens/full", use), R"({"data":[0,46,1,2,1,0,27,1,2,0]})");
+  open("<project><a v='1'/></project>");
+  EXPECT_EQ(result("textDocument/semanticTokens/full", use), R"({"data":[]})");
+}
+
 }  // namespace
 }  // namespace scenefile

@@ -383,6 +383,7 @@ class LanguageServer::Session {
         {"textDocument/rename", &Session::rename},
         {"textDocument/documentColor", &Session::colors},
         {"textDocument/colorPresentation", &Session::color_presentations},
+        {"textDocument/semanticTokens/full", &Session::semantic_tokens},
     };
     const auto* const row = std::find_if(std::begin(rows), std::end(rows),
                                          [&](const Row& r) { return r.method == method; });
@@ -423,6 +424,19 @@ class LanguageServer::Session {
     json.value(std::string_view("quickfix"));
     json.value(std::string_view("source.fixAll"));
     json.end_array();
+    json.end_object();
+    json.begin_object("semanticTokensProvider");
+    json.begin_object("legend");
+    json.begin_array("tokenTypes");  // in the order of TokenType
+    for (const std::string_view type : {"number", "enumMember", "class"}) {
+      json.value(type);
+    }
+    json.end_array();
+    json.begin_array("tokenModifiers");
+    json.value(std::string_view("declaration"));
+    json.end_array();
+    json.end_object();
+    json.add("full", true);
     json.end_object();
     json.begin_object("renameProvider");
     json.add("prepareProvider", true);
@@ -817,6 +831,53 @@ class LanguageServer::Session {
     add_edit(json, lines, range_in(params["range"], lines), text);
     json.end_object();
     json.end_array();
+    return std::nullopt;
+  }
+
+  Answer semantic_tokens(Document& document, JsonView /*params*/, Json& json) {
+    enum class TokenType { number, word, name };
+    struct Token {
+      std::size_t from;
+      std::size_t to;
+      TokenType type;
+      bool declares;
+    };
+    std::vector<Token> tokens;
+    if (has_scene_parts(document.text)) {
+      const Outline outline = read_outline(document.text);
+      for (const PlainValue& value : outline.values) {
+        const TokenType type = value.number ? TokenType::number : TokenType::word;
+        tokens.push_back({value.from, value.to, type, false});
+      }
+      for (const NameUse& use : outline.names) {
+        tokens.push_back({use.from, use.to, TokenType::name, use.declares});
+      }
+    }
+    // A number may be the name of a template: the name comes first.
+    std::sort(tokens.begin(), tokens.end(), [](const Token& a, const Token& b) {
+      return std::pair(a.from, b.type) < std::pair(b.from, a.type);
+    });
+    const TextLines lines(document.text);
+    json.begin_object();
+    json.begin_array("data");
+    LspPosition last;
+    std::size_t end = 0;
+    for (const Token& token : tokens) {
+      const LspPosition from = lines.position(token.from);
+      const LspPosition to = lines.position(token.to);
+      if (from.line != to.line || token.from < end) {
+        continue;
+      }
+      json.value(from.line - last.line);
+      json.value(from.character - (from.line == last.line ? last.character : 0));
+      json.value(to.character - from.character);
+      json.value(static_cast<std::uint32_t>(token.type));
+      json.value(token.declares ? 1U : 0U);
+      last = from;
+      end = token.to;
+    }
+    json.end_array();
+    json.end_object();
     return std::nullopt;
   }
 

@@ -77,6 +77,7 @@ class XmlOutline {
     } else if (kind_of_element(token.name) == ValueKind::color) {
       add_color(token);
     }
+    add_values(token);
     open_.push_back(part);
     depth_ += part == no_part ? 0 : 1;
   }
@@ -109,6 +110,18 @@ class XmlOutline {
                              : top               ? OutlineKind::tree
                                                  : OutlineKind::group;
     return add(token, kind, name.empty() ? type : name, type);
+  }
+
+  void add_values(const XmlToken& token) {
+    const bool shape = token.name == "object" && value_of(token, "type") == "primitive";
+    for (const XmlAttribute& a : token.attributes) {
+      const bool word = a.name == "type" || (shape && a.name == "name") ||
+                        (token.name == "type" && a.name == "v");
+      const bool number = !word && parse_number(a.value).error == NumberError::none;
+      if (!a.value.empty() && (word || number)) {
+        outline_.values.push_back({offset(a.value), offset(a.value) + a.value.size(), number});
+      }
+    }
   }
 
   void add_color(const XmlToken& token) {

@@ -1,6 +1,6 @@
 #pragma once
-// The parts of a scene file with their ranges: for the outline, templates and their uses, and
-// colors. Internal to lsp.
+// The parts of a scene file with their ranges: for the outline, templates and their uses, colors,
+// and what values are. Internal to lsp.
 
 #include <array>
 #include <cstddef>
@@ -37,10 +37,18 @@ struct ColorValue {
   std::size_t to = 0;
 };
 
+/// A value in XML that is not just text, as the quotes say: a number, or a word of the format.
+struct PlainValue {
+  std::size_t from = 0;  ///< inside its quotes
+  std::size_t to = 0;
+  bool number = false;
+};
+
 struct Outline {
   std::vector<OutlinePart> parts;  ///< each before those inside it
   std::vector<NameUse> names;
   std::vector<ColorValue> colors;  ///< with components from 0 to 1 only
+  std::vector<PlainValue> values;
 };
 
 /// Of XML that is not well-formed, what its tags say; of such JSON, nothing.

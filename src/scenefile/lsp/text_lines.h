@@ -12,6 +12,19 @@
 
 namespace scenefile {
 
+/// Offsets in bytes and in UTF-16 units, those of JavaScript. One inside a character means its
+/// beginning in units, and its end in bytes.
+class Utf16Offsets {
+ public:
+  explicit Utf16Offsets(std::string_view text = {});
+
+  std::size_t unit(std::size_t byte) const;
+  std::size_t byte(std::size_t unit) const;
+
+ private:
+  std::vector<std::uint32_t> before_;  // the units before each byte; empty if both are the same
+};
+
 /// A position of the protocol.
 struct LspPosition {
   std::uint32_t line = 0;
@@ -33,20 +46,8 @@ class TextLines {
   std::string_view line(std::size_t line) const;  // without its end
 
   std::string_view text_;
+  Utf16Offsets units_;
   std::vector<std::size_t> starts_;
-};
-
-/// Offsets in bytes and in UTF-16 units, those of JavaScript. One inside a character means its
-/// beginning in units, and its end in bytes.
-class Utf16Offsets {
- public:
-  explicit Utf16Offsets(std::string_view text = {});
-
-  std::size_t unit(std::size_t byte) const;
-  std::size_t byte(std::size_t unit) const;
-
- private:
-  std::vector<std::uint32_t> before_;  // the units before each byte; empty if both are the same
 };
 
 }  // namespace scenefile

@@ -122,7 +122,7 @@ TEST(LayoutXml, TheEncodingStays) {
 }
 
 TEST(LayoutXml, RejectsOtherFiles) {
-  EXPECT_THAT(faults("<scenefile>\n<a></scenefile>"), ElementsAre("2:4 error xml.syntax"));
+  EXPECT_THAT(faults("<scenefile>\n<a></scenefile>"), ElementsAre("2:1 error xml.syntax"));
   EXPECT_THAT(faults("<svg/>"), ElementsAre("0:0 error xml.root-element"));
   EXPECT_THAT(faults("<scenefile/><b/>"), ElementsAre("1:13 error xml.syntax"));
   EXPECT_THAT(faults(" "), ElementsAre("0:0 error format.empty"));

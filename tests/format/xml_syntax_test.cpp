@@ -21,8 +21,17 @@ TEST(XmlSyntax, CrossedTagsNameBoth) {
               ElementsAre("3:1 </scenefile> cannot close <object>, opened at line 2; </object> is "
                           "missing before it"));
   EXPECT_THAT(
-      said(with_transforms("<scale x=\"1\" y=\"1\" z=\"1\">")).back(),
+      said(with_transforms("<scale x=\"1\" y=\"1\" z=\"1\">1 2 3")).back(),
       HasSubstr("</scale> is missing before it, or a / in front of the > that ends its tag"));
+}
+
+TEST(XmlSyntax, ValuesThatAreNotClosedAreNamed) {
+  const std::string not_closed =
+      "4:1 <scale> is not closed before </transblock>; a tag without contents ends with />";
+  const std::string scale = "<scale x=\"1\" y=\"1\" z=\"1\">";
+  EXPECT_EQ(said(with_transforms(scale)).back(), not_closed);
+  EXPECT_EQ(said(with_transforms(scale + "<scale x=\"1\">\n<scale/>")).back(), not_closed);
+  EXPECT_THAT(said(with_transforms(scale + "</scael>")).back(), HasSubstr("did you mean </scale>"));
 }
 
 TEST(XmlSyntax, MisspelledClosingTagsAreSuggested) {
@@ -75,7 +84,7 @@ TEST(XmlSyntax, OtherFaultsAreNamed) {
   EXPECT_EQ(one("<<a/>"), "4:2 two < in a row; one is enough");
   EXPECT_EQ(one("<a\u00A0b=\"1\"/>"),
             "4:3 a special space character, U+00A0; use an ordinary space");
-  EXPECT_THAT(one("<a b=\"1 c=\"2\"/>"), HasSubstr("4:12 \"2\" right after a quotation mark"));
+  EXPECT_THAT(one("<a b=\"1 2c\"3\"/>"), HasSubstr("4:12 \"3\" right after a quotation mark"));
 }
 
 // The rest of the file is read as if the quotation marks were there.
@@ -90,6 +99,13 @@ TEST(XmlSyntax, ReadingGoesOnAfterUnquotedValues) {
                           HasSubstr("4:18 attribute z of <scale>: \"q\" is not a number")));
   EXPECT_THAT(in_scale("<scale x=1\" y=\"1\" z=\"1\"/>"),
               ElementsAre("4:10 \"1\" is missing its opening quotation mark; write x=\"1\""));
+  EXPECT_THAT(in_scale("<scale x=\"1 y=\"1\" z=\"1/>"),
+              ElementsAre("4:10 \"1\" is missing its closing quotation mark; write x=\"1\"",
+                          "4:21 \"1\" is missing its closing quotation mark; write z=\"1\""));
+  EXPECT_THAT(said(in_root("<transblock><object type='primitive' name=\"two words filename=\"mesh\"/>"
+                           "</transblock>"))
+                  .front(),
+              HasSubstr("\"two words\" is missing its closing quotation mark"));
   EXPECT_THAT(in_scale("<scale x=\u201C1\u201D y = \n\u2018 1\u2019 z=\"1\"/>"),
               ElementsAre(HasSubstr("4:10 a typographic quotation mark, as word processors insert "
                                     "it; write x=\"1\""),
@@ -109,8 +125,9 @@ TEST(XmlSyntax, ValuesWithoutAClearEndStopReading) {
   for (const std::string_view tag :
        {"<scale x= y=\"1\"/>", "<scale x=1,y=2/>", "<scale x=/>", "<scale x=1/ >", "<scale x=1;/>",
         "<scale x=1\\/>", "<scale x=1\"2\"/>", "<scale x=a&b/>", "<scale x=1 x=2/>",
-        "<scale x=1 y=\"2/>", "<scale x=1</scale>", "<scale x=\u201C1/>", "<scale x=1y=\"1\"/>",
-        "<scale x"}) {
+        "<scale x=1 y=\"2 3/>", "<scale x=1 y=\"/>", "<scale x=1 y=\"2/>3",
+        "<scale y=\"1=2 z=\"3\"/>", "<scale x=1</scale>", "<scale x=\u201C1/>",
+        "<scale x=1y=\"1\"/>", "<scale x"}) {
     const Reading reading = read(with_transforms(tag) + "<frob/>");
     ASSERT_EQ(reading.diagnostics.list().size(), 1u) << tag;
     EXPECT_EQ(reading.diagnostics.list()[0].code->name, "xml.syntax") << tag;
@@ -146,9 +163,9 @@ TEST(XmlSyntax, ManyRepairedMistakesAreCounted) {
 
 TEST(XmlSyntax, MistakesAreNamedWhereTheyBegin) {
   const auto one = [](std::string_view inside) { return said(with_transforms(inside)).back(); };
-  EXPECT_EQ(one("<scale x=\"1\" y=\"1\" z=\"1/>\n<a/>"),
+  EXPECT_EQ(one("<scale x=\"1\" y=\"1\" z=\"1 1/>\n<a/>"),
             "4:22 the value that begins here, in <scale>, is missing its closing quotation mark");
-  EXPECT_EQ(one("<a b='1/>\n<c/>"),
+  EXPECT_EQ(one("<a b='1 1/>\n<c/>"),
             "4:6 the value that begins here, in <a>, is missing its closing quotation mark");
   EXPECT_EQ(one("<a b=\"x<y\"/>"), "4:8 < is not allowed here; inside a value write &lt;");
   EXPECT_EQ(one("<scale x=\"1\" y=\"1\" z=\"1\"/></scale>"),

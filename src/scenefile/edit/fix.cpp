@@ -81,17 +81,28 @@ class XmlFixer {
     if (token.kind != XmlTokenKind::start && token.kind != XmlTokenKind::empty) {
       return {};
     }
+    if (written_ == ">") {
+      return {change_of(open + token.written.size() - 1, 1, instead_)};
+    }
     if (at_ == open && token.name == written_) {
       return element(token, scanner);
     }
     for (const XmlAttribute& attribute : token.attributes) {
-      const bool here = at_ == open || attribute.name.data() == text_.data() + at_ ||
-                        value_start(attribute) == at_;
-      if (here && attribute.name == written_ && value_start(attribute) != at_) {
-        return {change_of(offset(attribute.name), written_.size(), instead_)};
+      if (attribute.value.data() == nullptr) {  // cut off
+        continue;
+      }
+      const bool unquoted = token.unquoted && is_unquoted(attribute);
+      const std::size_t start = value_start(attribute, unquoted);
+      const bool here = at_ == open || attribute.name.data() == text_.data() + at_ || start == at_;
+      if (here && attribute.name == written_ && start != at_) {
+        const std::size_t from = offset(attribute.name);
+        const bool whole = instead_.find('"') != instead_.npos;  // attributes instead of this one
+        const std::size_t end =
+            whole ? offset(attribute.value) + attribute.value.size() + 1 : from + written_.size();
+        return {change_of(from, end - from, instead_)};
       }
       if (here && (attribute.value == written_ || unescaped(attribute.value) == written_)) {
-        return value(attribute);
+        return value(attribute, unquoted);
       }
     }
     return {};
@@ -103,12 +114,8 @@ class XmlFixer {
   }
 
   // Where a value begins; if it is not in quotes, with what it has instead of them.
-  std::size_t value_start(const XmlAttribute& attribute) const {
-    const std::size_t start = offset(attribute.value);
-    constexpr std::size_t quote = 3;  // bytes of a typographic one
-    return is_unquoted(attribute) && start >= quote
-               ? start - typographic_quote(text_.substr(start - quote, quote))
-               : start;
+  std::size_t value_start(const XmlAttribute& attribute, bool unquoted) const {
+    return offset(attribute.value) - (unquoted ? stray_marks(attribute).opening : 0);
   }
 
   Changes end_tag(const XmlToken& token, std::size_t open) const {
@@ -133,20 +140,18 @@ class XmlFixer {
     return changes;
   }
 
-  Changes value(const XmlAttribute& attribute) const {
-    const std::size_t start = value_start(attribute);
-    if (!is_unquoted(attribute)) {
-      std::string text = as_xml_value(instead_);
-      for (std::size_t i = 0; (i = text.find('\'', i)) != text.npos;) {
-        text.replace(i, 1, "&apos;");
-      }
-      return {change_of(start, attribute.value.size(), std::move(text))};
+  Changes value(const XmlAttribute& attribute, bool unquoted) const {
+    const std::size_t start = value_start(attribute, unquoted);
+    if (unquoted) {
+      const std::size_t end =
+          offset(attribute.value) + attribute.value.size() + stray_marks(attribute).closing;
+      return {change_of(start, end - start, '"' + as_xml_value(instead_) + '"')};
     }
-    const std::size_t end = offset(attribute.value) + attribute.value.size();
-    const std::string_view rest = text_.substr(end);
-    const std::size_t quote =
-        rest.starts_with('"') || rest.starts_with('\'') ? 1 : typographic_quote(rest);
-    return {change_of(start, end + quote - start, '"' + as_xml_value(instead_) + '"')};
+    std::string text = as_xml_value(instead_);
+    for (std::size_t i = 0; (i = text.find('\'', i)) != text.npos;) {
+      text.replace(i, 1, "&apos;");
+    }
+    return {change_of(start, attribute.value.size(), std::move(text))};
   }
 
   std::string_view text_;

@@ -121,7 +121,8 @@ bool EventReader::fail() {
   }
   std::vector<OpenElement> open;
   for (const std::string_view name : open_) {
-    open.push_back({name, places_.at(name.data() - 1)});
+    const auto at = static_cast<std::size_t>(name.data() - 1 - text_.data());
+    open.push_back({name, places_.at(at), at});
   }
   report_syntax(*fault_, repaired_ ? *repaired_ : text_, open, diagnostics_);
   return false;

@@ -86,7 +86,13 @@ class TagScanner {
     while (true) {
       const char* const before = p;
       p = skip(p, end_, blank);
-      if (p == end_ || is(*p, name_end)) {
+      if (p == end_ || *p == '>' || *p == '/') {
+        break;
+      }
+      if (p == before && end_unclosed(p)) {
+        continue;
+      }
+      if (is(*p, name_end)) {
         break;
       }
       if (p == before || is_end) {
@@ -151,10 +157,58 @@ class TagScanner {
     const char quote = *p++;
     const char* const first = p;
     while ((p = skip(p, end_, value_part)) != end_ && *p != quote) {
+      if (*p == '>' && is_end_of_unclosed(first, p)) {
+        p -= p[-1] == '/' ? 1 : 0;
+        value = between(first, p);
+        unquoted_ = true;
+        return p;
+      }
       p = pass_special(p);
     }
     value = between(first, p);
     return p == end_ ? p : p + 1;
+  }
+
+  // Whether a value without its closing quotation mark ends before the `>` at `p`, as in `v="1/>`:
+  // it is one word, and another tag follows.
+  bool is_end_of_unclosed(const char* first, const char* p) const {
+    const char* const last = p[-1] == '/' ? p - 1 : p;
+    const char* const next = skip(p + 1, end_, blank);
+    return first < last && skip_unquoted(first, bare_part) == last &&
+           (next == end_ || *next == '<');
+  }
+
+  // In `x="1 y="2"`, the value that ends at `p` is 1: ends it there, and moves `p` there.
+  bool end_unclosed(const char*& p) {
+    if (token_.attributes.empty() || !is_after_value(p, token_.attributes.back().value)) {
+      return false;
+    }
+    std::string_view& value = token_.attributes.back().value;
+    const auto last_not = [&](CharacterClass what, std::size_t end) {
+      while (end > 0 && is(value[end - 1], what)) {
+        --end;
+      }
+      return end;
+    };
+    const std::size_t sign = last_not(blank, value.size());
+    const std::size_t name_end = last_not(blank, sign == 0 ? 0 : sign - 1);
+    const std::size_t name = last_not(name_part, name_end);
+    const std::size_t end = last_not(blank, name);
+    const bool is_other = sign > 0 && value[sign - 1] == '=' && name < name_end &&
+                          is(value[name], name_start) && end > 0 && end < name &&
+                          value.substr(0, end).find_first_of("=>") == std::string_view::npos;
+    if (is_other) {
+      value = value.substr(0, end);
+      p = value.data() + end;
+      unquoted_ = true;
+    }
+    return is_other;
+  }
+
+  // Whether the quotation mark before `p` ends the value.
+  static bool is_after_value(const char* p, std::string_view value) {
+    return value.data() != nullptr && value.data() + value.size() + 1 == p &&
+           (p[-1] == '"' || p[-1] == '\'') && value.data()[-1] == p[-1];
   }
 
   // Returns nullptr if it is not clear where the value ends.
@@ -353,7 +407,18 @@ const XmlAttribute* XmlTag::find(std::string_view attribute) const {
 
 bool is_unquoted(const XmlAttribute& attribute) {
   const char before = attribute.value.data()[-1];
-  return before != '"' && before != '\'';
+  const char after = attribute.value.data()[attribute.value.size()];
+  return (before != '"' && before != '\'') || after != before;
+}
+
+StrayMarks stray_marks(const XmlAttribute& attribute) {
+  const char* const value = attribute.value.data();
+  const auto is_quote = [](char c) { return c == '"' || c == '\'' ? std::size_t{1} : 0; };
+  // Before a value are at least `<a b=`.
+  if (const std::size_t typographic = typographic_quote({value - 3, 3})) {
+    return {typographic, typographic_quote({value + attribute.value.size(), 3})};
+  }
+  return {is_quote(value[-1]), is_quote(value[attribute.value.size()])};
 }
 
 std::size_t typographic_quote(std::string_view text) {

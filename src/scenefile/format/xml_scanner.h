@@ -51,8 +51,15 @@ struct XmlToken {
   bool needs_decoding = false;           ///< a value contains a reference or a line break
 };
 
-/// Of a token that is `unquoted`: whether this attribute is: `v=1`, `v=1"`, or `v=“1”`.
+/// Of a token that is `unquoted`: whether this attribute is: `v=1`, `v=1"`, `v="1`, or `v=“1”`.
 bool is_unquoted(const XmlAttribute& attribute);
+
+/// The sizes in bytes of the quotation marks around a value that is_unquoted().
+struct StrayMarks {
+  std::size_t opening = 0;
+  std::size_t closing = 0;
+};
+StrayMarks stray_marks(const XmlAttribute& attribute);
 
 /// The size in bytes of the typographic quotation mark that `text` begins with, or 0.
 std::size_t typographic_quote(std::string_view text);

@@ -154,14 +154,56 @@ Cause opened_as_text(std::string_view text, std::size_t at, std::span<const Open
                   escaped(name, 40), escaped(name, 40), line_of(text, at))};
 }
 
+// All other elements of the format are empty tags.
+bool holds_elements(std::string_view name) {
+  const std::string word = lower_case(name);
+  return word == transform_word<Matrix> ||
+         std::find(structure_elements.begin(), structure_elements.end(), word) !=
+             structure_elements.end();
+}
+
+// The name of the closing tag at the offset.
+std::string_view closing_name(std::string_view text, std::size_t at) {
+  const std::string_view rest = text.substr(at);
+  return name_at(rest.substr(rest.starts_with("</") ? 2 : 0));
+}
+
+// A closing tag after a value that is not closed, because the / of its tag is missing.
+Cause unclosed_element(std::string_view text, std::size_t at, std::span<const OpenElement> open) {
+  auto outer = open.rbegin();
+  while (outer != open.rend() && !holds_elements(outer->name)) {
+    ++outer;
+  }
+  if (outer == open.rbegin() || outer == open.rend() || outer->name != closing_name(text, at)) {
+    return {};
+  }
+  const OpenElement& value = *std::prev(outer);
+  XmlScanner scanner(text.substr(value.at));
+  XmlToken token;
+  scanner.next(token);
+  const std::size_t next = text.find_first_not_of(blanks, value.at + token.written.size());
+  if (!token.written.ends_with('>') || next == std::string_view::npos || text[next] != '<') {
+    return {};
+  }
+  return SyntaxCause{&xml_syntax, value.at,
+                     fmt::format("<{}> is not closed before </{}>; a tag without contents ends "
+                                 "with />",
+                                 escaped(value.name, 40), escaped(outer->name, 40)),
+                     Correction{">", "/>"}};
+}
+
 std::optional<SyntaxCause> find_cause(SyntaxFault fault, std::string_view text, std::size_t at,
                                       std::span<const OpenElement> open) {
   if (at >= text.size()) {
     return {};
   }
   if (fault == SyntaxFault::tag_mismatch) {
-    const Cause twice = closed_twice(text, at);
-    return twice ? twice : opened_as_text(text, at, open);
+    for (const Cause& cause : {closed_twice(text, at), unclosed_element(text, at, open)}) {
+      if (cause) {
+        return cause;
+      }
+    }
+    return opened_as_text(text, at, open);
   }
   if (fault == SyntaxFault::cut_off) {
     return unfinished_declaration(text, at);
@@ -211,20 +253,6 @@ std::string cut_off_message(std::string_view text, std::size_t at,
   }
   return fmt::format("the file ends inside {}{}", in_markup ? "a tag inside " : "",
                      opened_at(open.back()));
-}
-
-// All other elements of the format are empty tags.
-bool holds_elements(std::string_view name) {
-  const std::string word = lower_case(name);
-  return word == transform_word<Matrix> ||
-         std::find(structure_elements.begin(), structure_elements.end(), word) !=
-             structure_elements.end();
-}
-
-// The name of the closing tag at the offset.
-std::string_view closing_name(std::string_view text, std::size_t at) {
-  const std::string_view rest = text.substr(at);
-  return name_at(rest.substr(rest.starts_with("</") ? 2 : 0));
 }
 
 // Whether the closing tag was probably meant to close the innermost element.
@@ -576,19 +604,17 @@ void report_unquoted(const XmlToken& token, TextPlaces& places, Diagnostics& dia
     if (!is_unquoted(attribute)) {
       continue;
     }
-    const char* const value = attribute.value.data();
-    const char* const before = value - std::min<std::ptrdiff_t>(value - token.written.data(), 3);
-    const std::size_t opening = typographic_quote({before, 3});
-    const char after = value[attribute.value.size()];
+    const StrayMarks marks = stray_marks(attribute);
     std::string what;
-    if (opening != 0) {
+    if (marks.opening > 1) {
       what = typographic_text;
     } else {
       what = fmt::format("{} {}", quoted(attribute.value, 20),
-                         after == '"' || after == '\'' ? "is missing its opening quotation mark"
-                                                       : "must be in quotation marks");
+                         marks.opening != 0   ? "is missing its closing quotation mark"
+                         : marks.closing != 0 ? "is missing its opening quotation mark"
+                                              : "must be in quotation marks");
     }
-    diagnostics.report(xml_syntax, places.at(value - opening),
+    diagnostics.report(xml_syntax, places.at(attribute.value.data() - marks.opening),
                        fmt::format("{}; write {}=\"{}\"", what, escaped(attribute.name, 40),
                                    escaped(attribute.value, 60)),
                        correction(attribute.value, attribute.value));

@@ -18,6 +18,7 @@ namespace scenefile {
 struct OpenElement {
   std::string_view name;
   Location location;
+  std::size_t at = 0;  ///< the offset of its `<`
 };
 
 /// The offset of the first reference to an entity not predefined in XML; npos if there is none.

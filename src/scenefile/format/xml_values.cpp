@@ -220,9 +220,10 @@ bool all_names_foreign(const XmlTag& tag, const Signature& signature) {
   });
 }
 
+constexpr std::string_view list_separators = " \t\r\n,;";
+
 // The numbers in "1 2 3", "1,2,3", or for a color #rrggbb, as text; empty for anything else.
 std::vector<std::string> numbers_in(std::string_view value, bool is_color) {
-  constexpr std::string_view separators = " \t\r\n,;";
   constexpr std::string_view hexadecimal = "0123456789abcdefABCDEF";
   std::vector<std::string> numbers;
   if (is_color && value.size() == 7 && value[0] == '#' &&
@@ -233,8 +234,8 @@ std::vector<std::string> numbers_in(std::string_view value, bool is_color) {
     }
     return numbers;
   }
-  for (std::size_t at = 0; (at = value.find_first_not_of(separators, at)) != value.npos;) {
-    const std::size_t end = std::min(value.find_first_of(separators, at), value.size());
+  for (std::size_t at = 0; (at = value.find_first_not_of(list_separators, at)) != value.npos;) {
+    const std::size_t end = std::min(value.find_first_of(list_separators, at), value.size());
     const std::string_view word = value.substr(at, end - at);
     if (parse_number(word).error != NumberError::none || numbers.size() == 4) {
       return {};
@@ -245,16 +246,37 @@ std::vector<std::string> numbers_in(std::string_view value, bool is_color) {
   return numbers;
 }
 
+// Whether one separator is between all numbers: "1,5 2" may be two numbers or three.
+bool is_plain_list(std::string_view value) {
+  std::optional<std::string> first;
+  for (std::size_t at = 0; (at = value.find_first_of(list_separators, at)) != value.npos;) {
+    const std::size_t end = std::min(value.find_first_not_of(list_separators, at), value.size());
+    std::string separator(value.substr(at, end - at));
+    std::erase_if(separator, [](char c) { return blanks.find(c) != blanks.npos; });
+    const bool between = at != 0 && end != value.size();
+    if (between && separator != first.value_or(separator)) {
+      return false;
+    }
+    first = between ? std::move(separator) : first;
+    at = end;
+  }
+  return true;
+}
+
 // Reports all parts in a single attribute, and how to write them. Returns false if that is not the
 // case.
-bool report_one_for_all(const XmlContext& context, const XmlTag& tag, const Signature& signature) {
+bool report_one_for_all(const XmlContext& context, const XmlTag& tag, const Signature& signature,
+                        const Parts& parts) {
   const auto& names = signature.forms.front().names;
   const bool is_color = names[0] == "r";
-  if (signature.parts == 1 || signature.optional || tag.attributes.size() != 1) {
+  if (signature.parts == 1 || tag.attributes.size() != 1) {
     return false;
   }
-  std::vector<std::string> numbers = numbers_in(tag.attributes[0].value, is_color);
-  if (numbers.size() == 1 && (is_color || equal_ignoring_case(tag.name, transform_word<Scale>))) {
+  const XmlAttribute& attribute = tag.attributes[0];
+  std::vector<std::string> numbers = numbers_in(attribute.value, is_color);
+  const bool listed = numbers.size() == signature.parts;
+  if (numbers.size() == 1 && !is_part(parts, attribute) &&
+      (is_color || equal_ignoring_case(tag.name, transform_word<Scale>))) {
     numbers.resize(signature.parts, numbers[0]);
   }
   if (numbers.size() != signature.parts) {
@@ -262,11 +284,13 @@ bool report_one_for_all(const XmlContext& context, const XmlTag& tag, const Sign
   }
   std::string meant;
   for (std::size_t i = 0; i < signature.parts; ++i) {
-    meant += fmt::format(" {}=\"{}\"", names[i], numbers[i]);
+    meant += fmt::format("{}{}=\"{}\"", i == 0 ? "" : " ", names[i], numbers[i]);
   }
+  const bool certain = listed && attribute.value[0] != '#' && is_plain_list(attribute.value);
   context.report(xml_missing_attribute, tag,
-                 fmt::format("{} is missing the attributes {}; write{}", element_text(tag.name),
-                             names_text(signature), meant));
+                 fmt::format("{} is missing the attributes {}; write {}", element_text(tag.name),
+                             fmt::join(missing_names(signature, parts), ", "), meant),
+                 Correction{std::string(attribute.name), meant, certain});
   return true;
 }
 
@@ -462,11 +486,11 @@ std::optional<Parts> find_parts(const XmlContext& context, const XmlTag& tag,
       all_names_foreign(tag, signature)) {
     return by_order(context, tag, signature);
   }
+  if (found.count <= 1 && report_one_for_all(context, tag, signature, found.parts)) {
+    return std::nullopt;
+  }
   if (found.dialect) {
     report_alias(context, tag, signature, found.parts);
-  }
-  if (found.count == 0 && report_one_for_all(context, tag, signature)) {
-    return std::nullopt;
   }
   const bool by_order_too = signature.free_names && take_rest(context, tag, signature, found.parts);
   settle_others(context, tag, signature, found.parts);

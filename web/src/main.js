@@ -371,8 +371,22 @@ async function openModel(files, path) {
   }
 }
 
+// The text of a scene's bytes. What is in another encoding than UTF-8 says so, as the text is saved in UTF-8.
+function sceneText(bytes) {
+  const start = new TextDecoder('latin1').decode(bytes.subarray(0, 200));
+  const [declaration, before, quote, name] = /^(<\?xml[^>]*\sencoding\s*=\s*)(["'])([^"'>]*)\2/.exec(start) ?? [];
+  if (declaration === undefined || /^utf-8$/i.test(name) || bytes.every((byte) => byte < 128)) {
+    return text.decode(bytes);
+  }
+  try {
+    return `${before}${quote}UTF-8${quote}${new TextDecoder(name).decode(bytes).slice(declaration.length)}`;
+  } catch {
+    return text.decode(bytes); // an encoding that is not known
+  }
+}
+
 function openFrom(files, scenes, path) {
-  const content = text.decode(files.get(path));
+  const content = sceneText(files.get(path));
   const others = new Map(files);
   others.delete(path);
   setDocument({ path, content, files: others });
@@ -635,6 +649,10 @@ async function showPanel() {
         files: () => [...scene.files.keys()].filter((path) => !isSceneName(path)),
         view: () => picture.view,
         viewport: () => picture.viewport,
+        goTo(line) {
+          editor.selectLine(line);
+          editor.focus();
+        },
         selected(model, item) {
           if (item !== null && item.from >= 0) {
             editor.selectLine(editor.lineAt(item.from));

@@ -695,6 +695,26 @@ test('panels and completion count characters as the editor does', async () => {
   assert.match(await textOf(), /--><scenefile><lightdata><\/lightdata>/);
 });
 
+test('scenes in other encodings become UTF-8', async () => {
+  await open();
+  const text = hello.replace(/^(<\?xml[^>]*>)?/, '<?xml version="1.0" encoding="ISO-8859-1"?>').replace('<scenefile>', '<scenefile><!-- Gr\u00fc\u00dfe -->');
+  await page.setInputFiles('#file-input', { name: 'scene.xml', mimeType: 'text/xml', buffer: Buffer.from(text, 'latin1') });
+  await page.waitForFunction(() => document.title.startsWith('scene.xml'));
+  assert.equal(await wholeText(), text.replace('ISO-8859-1', 'UTF-8'));
+});
+
+test('panels say where the error of a text is', async () => {
+  await open();
+  await page.setInputFiles('#file-input', { name: 'wrong.xml', mimeType: 'text/xml', buffer: Buffer.from(hello.replace('</scenefile>', '\n</objct>\n</scenefile>')) });
+  await page.waitForFunction(() => document.title.startsWith('wrong.xml'));
+  await page.click('#show-edit');
+  await page.waitForSelector('#edit-fields p');
+  const problem = await page.innerText('#edit-fields p');
+  assert.match(problem, /^line \d+: .*; correct that in the text first\.$/);
+  await page.click('#edit-fields button');
+  await page.waitForFunction(() => document.getElementById('editor').shadowRoot.querySelector('.cm-activeLine').textContent.trim() === '</objct>');
+});
+
 test('panels show what the reader reads', async () => {
   const box = (shape) => `<object type="primitive" name="${shape}"/>`;
   const two = hello.replace(/<object type="tree" name="root">[^]*<\/object>/,

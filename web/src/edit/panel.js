@@ -35,7 +35,7 @@ export class EditPanel {
   #form = byId('edit-fields');
   #gizmo;
 
-  /** `host`: model() of the scene's text, change(changes), files() other than the scene, selected(model, item), view() and viewport() of the picture. */
+  /** `host`: model() of the scene's text, change(changes), files() other than the scene, goTo(line), selected(model, item), view() and viewport() of the picture. */
   constructor(host) {
     this.#host = host;
     this.#gizmo = new Gizmo({ view: host.view, viewport: host.viewport, apply: (edit) => this.#apply(edit) });
@@ -237,8 +237,6 @@ export class EditPanel {
     const usable = model.problem === null;
     this.#choices = usable ? model.choices(item) : { add: [], targets: [] };
     const choices = this.#choices;
-    byId('edit-broken').hidden = usable;
-    byId('edit-broken').title = model.problem ?? '';
     const off = (id, why) => {
       byId(id).disabled = why !== undefined;
       byId(id).title = why ?? '';
@@ -270,9 +268,13 @@ export class EditPanel {
 
   #showFields() {
     const [model, item] = [this.#model, this.#item];
-    byId('edit-title').textContent = item === null ? 'The text has no scene' : item.label;
+    byId('edit-title').textContent = item?.label ?? (model.problem === null ? 'The text has no scene' : 'The text has an error');
     if (item === null) {
-      this.#form.replaceChildren();
+      const line = /^line (\d+)/.exec(model.problem ?? '')?.[1];
+      this.#form.replaceChildren(
+        ...(model.problem === null ? [] : [h('p', { className: 'help', role: 'alert' }, `${model.problem}.`)]),
+        ...(line === undefined ? [] : [h('button', { type: 'button', onclick: () => this.#host.goTo(Number(line)) }, `Go to line ${line}`)]),
+      );
       return;
     }
     const list = model.fields(item);

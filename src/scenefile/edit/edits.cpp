@@ -24,28 +24,25 @@ using Values = std::vector<std::optional<std::string>>;
 // Descriptions of new elements and values.
 
 Fresh literal(std::string text) {
-  return {Fresh::Type::literal, std::move(text), {}, {}};
+  return {Fresh::Type::literal, std::move(text)};
 }
 
-Fresh object_of(std::vector<std::pair<std::string, Fresh>> members) {
+Fresh object_of(std::vector<Fresh> members) {
   return {Fresh::Type::object, {}, {}, std::move(members)};
 }
 
 Fresh list_of(std::vector<Fresh> values) {
-  Fresh list{Fresh::Type::list, {}, {}, {}};
-  for (Fresh& value : values) {
-    list.children.emplace_back("", std::move(value));
-  }
-  return list;
+  return {Fresh::Type::list, {}, {}, std::move(values)};
 }
 
 Fresh element_of(std::string name, std::vector<std::pair<std::string, std::string>> attributes,
                  std::vector<Fresh> children = {}) {
-  Fresh element{Fresh::Type::element, std::move(name), std::move(attributes), {}};
-  for (Fresh& child : children) {
-    element.children.emplace_back("", std::move(child));
-  }
-  return element;
+  return {Fresh::Type::element, std::move(name), std::move(attributes), std::move(children)};
+}
+
+Fresh member(std::string_view key, Fresh value) {
+  value.key = key;
+  return value;
 }
 
 bool is_word(FieldKind kind) {
@@ -179,7 +176,7 @@ class Editor {
     Fresh element = element_of(std::string(word.xml), {});
     if (word.kind == FieldKind::matrix) {
       for (auto row = attributes.begin(); row != attributes.end(); row += 4) {
-        element.children.emplace_back("", element_of("row", {row, row + 4}));
+        element.children.push_back(element_of("row", {row, row + 4}));
       }
     } else {
       element.attributes = std::move(attributes);
@@ -272,7 +269,7 @@ class Editor {
                           [&](const auto& one) { return one.first->xml == name; });
     };
     std::vector<Fresh> elements;
-    std::vector<std::pair<std::string, Fresh>> entries;
+    std::vector<Fresh> entries;
     for (const FieldWord* const word : ordered_words(item.kind, syntax_.xml)) {
       const auto own = given(word->xml);
       const bool needed =
@@ -286,7 +283,7 @@ class Editor {
       if (syntax_.xml) {
         elements.push_back(fresh_element(*word, values));
       } else {
-        entries.emplace_back(word->json, fresh_entry(*word, values));
+        entries.push_back(member(word->json, fresh_entry(*word, values)));
       }
     }
     const std::vector<PartId>& top = syntax_[0].children;
@@ -873,7 +870,7 @@ class Editor {
       if (what.name == ::scenefile::word_of(Shape::mesh)) {
         set("filename", mesh_field.start);
       }
-      object.children.emplace_back("", fresh_element(primitive_fields[3], {}));
+      object.children.push_back(fresh_element(primitive_fields[3], {}));
     } else if (what.kind == ItemKind::group) {
       set("type", "tree");
       set("name", free_name("group"));
@@ -914,37 +911,38 @@ class Editor {
   }
 
   Insertion added_json(ItemId group, const NewItem& what) const {
-    std::vector<std::pair<std::string, Fresh>> members;
+    std::vector<Fresh> members;
     const auto translate = [&](const Values& values) {
-      members.emplace_back("translate", fresh_entry(transform_fields[0], values));
+      members.push_back(member("translate", fresh_entry(transform_fields[0], values)));
     };
     if (what.kind == ItemKind::light) {
       if (what.name != ::scenefile::word_of(LightType::directional)) {
         translate({"2", "5", "3"});
       }
-      std::vector<std::pair<std::string, Fresh>> light;
+      std::vector<Fresh> light;
       for (const FieldWord* const word : ordered_words(ItemKind::light, false)) {
         if (use_of(*word, what.name).needed) {
-          light.emplace_back(
+          light.push_back(member(
               word->json,
-              fresh_entry(*word, word->kind == FieldKind::choice ? Values{what.name} : Values{}));
+              fresh_entry(*word, word->kind == FieldKind::choice ? Values{what.name} : Values{})));
         }
       }
-      members.emplace_back("lights", list_of({object_of(std::move(light))}));
+      members.push_back(member("lights", list_of({object_of(std::move(light))})));
     } else if (what.kind == ItemKind::primitive) {
-      std::vector<std::pair<std::string, Fresh>> shape;
-      shape.emplace_back("type", literal(json_quoted(what.name)));
+      std::vector<Fresh> shape;
+      shape.push_back(member("type", literal(json_quoted(what.name))));
       if (what.name == ::scenefile::word_of(Shape::mesh)) {
-        shape.emplace_back("meshFile", literal(json_quoted(mesh_field.start)));
+        shape.push_back(member("meshFile", literal(json_quoted(mesh_field.start))));
       }
-      shape.emplace_back("diffuse", fresh_entry(primitive_fields[3], {}));
-      members.emplace_back("primitives", list_of({object_of(std::move(shape))}));
+      shape.push_back(member("diffuse", fresh_entry(primitive_fields[3], {})));
+      members.push_back(member("primitives", list_of({object_of(std::move(shape))})));
     } else if (what.kind == ItemKind::group) {
-      members.emplace_back("groups", list_of({}));  // a group with only a name would be an instance
+      members.push_back(
+          member("groups", list_of({})));  // a group with only a name would be an instance
     } else {
       translate({});
-      members.emplace_back("groups",
-                           list_of({object_of({{"name", literal(json_quoted(what.name))}})}));
+      members.push_back(member(
+          "groups", list_of({object_of({member("name", literal(json_quoted(what.name)))})})));
     }
     return appended(document_[group], {object_of(std::move(members)), {}});
   }

@@ -202,7 +202,7 @@ void Layout::write_element(std::string& out, const Fresh& fresh, const std::stri
     return;
   }
   out += ">";
-  for (const auto& [key, child] : fresh.children) {
+  for (const Fresh& child : fresh.children) {
     out += broad ? line_end_ + indent + unit_ : "";
     write_element(out, child, indent + unit_, broad);
   }
@@ -218,15 +218,14 @@ void Layout::write_json(std::string& out, const Fresh& fresh, const std::string&
   const bool object = fresh.type == Fresh::Type::object;
   const bool lines =
       broad &&
-      (object || std::any_of(fresh.children.begin(), fresh.children.end(), [](const auto& child) {
-         return child.second.type == Fresh::Type::object;
-       }));
+      (object || std::any_of(fresh.children.begin(), fresh.children.end(),
+                             [](const Fresh& child) { return child.type == Fresh::Type::object; }));
   out += object ? "{" : "[";
   for (std::size_t i = 0; i < fresh.children.size(); ++i) {
-    const auto& [key, child] = fresh.children[i];
+    const Fresh& child = fresh.children[i];
     out += i > 0 ? "," : "";
     out += lines ? line_end_ + indent + unit_ : i > 0 ? " " : "";
-    out += object ? json_quoted(key) + ": " : "";
+    out += object ? json_quoted(child.key) + ": " : "";
     write_json(out, child, indent + unit_, broad);
   }
   out += lines && !fresh.children.empty() ? line_end_ + indent : "";

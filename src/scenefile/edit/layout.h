@@ -21,8 +21,9 @@ struct Fresh {
 
   Type type = Type::element;
   std::string text;  ///< name of an element; a literal as it is written
-  std::vector<std::pair<std::string, std::string>> attributes;  ///< values are escaped already
-  std::vector<std::pair<std::string, Fresh>> children;          ///< keys only in objects
+  std::vector<std::pair<std::string, std::string>> attributes{};  ///< values are escaped already
+  std::vector<Fresh> children{};
+  std::string key{};  ///< of a member of an object
 };
 
 /// What to insert: something new, or text of the file, whose lines are indented anew.

@@ -227,10 +227,10 @@ Result<Edit> set_matrix(const Document& document, ItemId id, const std::vector<F
       if (document.is_xml()) {
         line.attributes.emplace_back(std::string(1, static_cast<char>('a' + column)), number);
       } else {
-        line.children.emplace_back("", Fresh{Fresh::Type::literal, number, {}, {}});
+        line.children.push_back({Fresh::Type::literal, number});
       }
     }
-    fresh.children.emplace_back("", std::move(line));
+    fresh.children.push_back(std::move(line));
   }
   fresh.type = document.is_xml() ? Fresh::Type::element : Fresh::Type::list;
   fresh.text = document.is_xml() ? "matrix" : "";

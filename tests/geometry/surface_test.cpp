@@ -1,7 +1,7 @@
 #include "geometry/solids.h"
 #include "scenefile/base/one_lane.h"
 #include "scenefile/base/vector-inl.h"
-#include "scenefile/geometry/normals-inl.h"
+#include "scenefile/geometry/surface-inl.h"
 #include "scenefile/geometry/shapes.h"
 
 #include <gtest/gtest.h>

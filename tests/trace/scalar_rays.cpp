@@ -2,7 +2,7 @@
 
 #include "scenefile/base/one_lane.h"
 #include "scenefile/base/vector-inl.h"
-#include "scenefile/geometry/normals-inl.h"
+#include "scenefile/geometry/surface-inl.h"
 #include "scenefile/trace/camera-inl.h"
 #include "scenefile/trace/footprint-inl.h"
 #include "scenefile/trace/optics-inl.h"

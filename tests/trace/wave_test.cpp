@@ -388,6 +388,39 @@ TEST(WaveOptions, MeshesAmongShapes) {
   }
 }
 
+// Normals and (u, v), which one of the triangles lacks.
+Mesh textured_tetrahedron() {
+  Mesh mesh = tetrahedron();
+  mesh.normals = {{-1, -1, 1}, {2, -1, 1}, {0, 1, 1}, {0, 0.2f, -1}};
+  mesh.uvs = {{0, 0}, {1.5f, 0}, {0.5f, 2}, {0.3f, 0.4f}};
+  mesh.triangle_normals = mesh.triangle_uvs = mesh.triangles;
+  mesh.triangle_normals[1].fill(mesh_no_index);
+  mesh.triangle_uvs[2].fill(mesh_no_index);
+  return mesh;
+}
+
+TEST(WaveOptions, TexturesAndBumpMapsOfMeshes) {
+  SceneBuilder b = some_scene(21, 12);
+  const std::uint32_t texture = b.texture(4, 3, {0, 255, 40, 200, 90, 130, 10, 60, 5, 70, 8, 99});
+  for (RenderMaterial& m : b.scene.materials) {
+    m.texture = {texture, 2, 1.5f};
+    m.blend = 0.7f;
+    m.bump_map = {texture, 1, 3};
+  }
+  const std::uint32_t meshes[] = {b.mesh(textured_tetrahedron()), b.mesh(tetrahedron())};
+  for (std::size_t i = 0; i < b.scene.groups.front().primitives.size(); i += 2) {
+    RenderPrimitive& part = b.scene.groups.front().primitives[i];
+    part.shape = Shape::mesh;
+    part.mesh = meshes[i / 2 % 2];
+  }
+  expect_equal(b);
+  for (bool Features::*feature : {&Features::texture, &Features::texture_filter}) {
+    RenderOptions options = small(Profile::fine);
+    options.features.*feature = false;
+    expect_equal(b, options);
+  }
+}
+
 TEST(WaveOptions, InstancesAndMeshes) {
   SceneBuilder b = some_scene(5, 20);
   RenderPrimitive part = b.primitive(Shape::mesh, trace_test::translate({0, 1, 0}), 2);

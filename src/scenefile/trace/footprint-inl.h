@@ -2,8 +2,6 @@
 // lanes (base/one_lane.h). After Igehy, "Tracing Ray Differentials", 1999. No include guard:
 // included once for each number of lanes.
 
-#include "scenefile/base/shape.h"
-#include "scenefile/geometry/shapes.h"
 #include "scenefile/trace/camera_rays.h"
 
 #include <numbers>
@@ -50,14 +48,6 @@ inline Steps arriving_steps(const Steps& origin, const Steps& direction, const V
     return moved - (dot(moved, normal) / slant) * ray;
   };
   return {on_surface(origin.x, direction.x), on_surface(origin.y, direction.y)};
-}
-
-inline M shape_is(F shape, Shape kind) {
-  return shape == splat(static_cast<int>(kind));
-}
-
-inline M face_is(F face, Face which) {
-  return face == splat(static_cast<int>(which));
 }
 
 /// The derivative of a shape's object-space normal for a step on its surface at p.
@@ -159,6 +149,15 @@ inline UvStep shape_uv_step(F shape, F face, const V3& p, const V3& step) {
   return {u, v};
 }
 
+/// The same on a triangle with these tangents; 1 across the whole texture where they are unknown.
+inline UvStep mesh_uv_step(const V3& tangent_u, const V3& tangent_v, const V3& step) {
+  const V3 area = cross(tangent_u, tangent_v);
+  const F squared = dot(area, area);
+  const M known = squared > splat(1e-30) * dot(tangent_u, tangent_u) * dot(tangent_v, tangent_v);
+  return {select(known, dot(cross(step, tangent_v), area) / squared, splat(1)),
+          select(known, dot(cross(tangent_u, step), area) / squared, splat(0))};
+}
+
 /// The footprint of a pixel in a texture, in texels: a parallelogram around the lookup point.
 struct TexelFootprint {
   F right_x, right_y;  ///< for the step to the right
@@ -258,6 +257,39 @@ V3 filtered(const Textures& textures, F x, F y, const TexelFootprint& pixel, F g
     }
   }
   return sum / (taps * select(quarters, splat(4), splat(1)));
+}
+
+/// The height of white above black in bump maps, in object space units.
+inline constexpr double bump_height = 1.0 / 16;
+
+/// The object-space normal, not of unit length, of a surface displaced along its normal by
+/// bump_height times the mean of red, green and blue. Slopes are central differences over one texel
+/// of the map, or over the footprint if that is wider. `color(u, v, wanted)` looks up the map;
+/// `wanted` loses the lanes where it has no effect.
+template <typename Lookup>
+V3 bumped_normal(const SurfaceLanes& surface, const UvStep& right, const UvStep& down, F columns,
+                 F rows, M& wanted, const Lookup& color) {
+  const V3& n = surface.normal;
+  const V3& tangent_u = surface.tangent_u;
+  const V3& tangent_v = surface.tangent_v;
+  const F area = dot(cross(tangent_u, tangent_v), n);
+  const F flat = splat(1e-12) * length(tangent_u) * length(tangent_v);
+  wanted = wanted & (abs(area) > flat) & (columns != splat(0)) & (rows != splat(0));
+  const auto width = [](F texels, F right_step, F down_step) {
+    const F reach = max(abs(right_step), abs(down_step));
+    return max(splat(1) / abs(texels), select(finite(reach), min(reach, splat(0.25)), splat(0.25)));
+  };
+  const F du = width(columns, right.u, down.u);
+  const F dv = width(rows, right.v, down.v);
+  const auto height = [&](F u, F v) {
+    const V3 c = color(u, v, wanted);
+    return splat(bump_height) * (c.x + c.y + c.z) / splat(3);
+  };
+  const F slope_u =
+      (height(surface.u + du, surface.v) - height(surface.u - du, surface.v)) / (splat(2) * du);
+  const F slope_v =
+      (height(surface.u, surface.v + dv) - height(surface.u, surface.v - dv)) / (splat(2) * dv);
+  return n - (slope_u * cross(tangent_v, n) + slope_v * cross(n, tangent_u)) / area;
 }
 
 }  // namespace scenefile::SCENEFILE_LANES

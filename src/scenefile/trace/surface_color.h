@@ -1,6 +1,5 @@
 #pragma once
-// What is looked up point by point before a surface is lit: textures and bump maps. Waves do the
-// same in lanes for the shapes of the root group.
+// Textures and bump maps of single points, for the path tracer. Waves do the same in lanes.
 
 #include "scenefile/trace/footprint.h"
 #include "scenefile/trace/surface_point.h"

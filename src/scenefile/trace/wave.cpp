@@ -114,7 +114,9 @@ WaveMaterial wave_material(const Tracer& tracer, const RenderMaterial& m) {
   out.refracts = features.refract && glass != Color(0);
   const bool textured = tracer.options.mode == Mode::ray && features.texture && m.texture.used() &&
                         m.blend != 0 && !tracer.assets.textures[m.texture.file].empty();
-  out.bumped = !tracer.pyramids.empty() && m.bump_map.used();
+  if (!tracer.pyramids.empty() && m.bump_map.used()) {
+    out.bump = &tracer.pyramids[m.bump_map.file];
+  }
   if (textured) {
     const bool filtered = features.texture_filter && !tracer.course();
     out.texture = filtered ? nullptr : &tracer.assets.textures[m.texture.file];
@@ -163,7 +165,7 @@ WaveScene::WaveScene(const Tracer& t, const CameraRays& c)
   for (const RenderMaterial& material : tracer.scene.materials) {
     materials.push_back(wave_material(tracer, material));
     put_density(tracer, materials.size() - 1, materials.back());
-    by_footprint = by_footprint || materials.back().pyramid != nullptr || materials.back().bumped;
+    by_footprint = by_footprint || materials.back().pyramid != nullptr || materials.back().bump != nullptr;
   }
   tests_all_parts = root.size() <= PartTree::fewest_parts &&
                     std::all_of(root.begin(), root.end(),

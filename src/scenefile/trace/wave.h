@@ -37,7 +37,7 @@ struct WaveMaterial {
   const RenderMaterial* material;
   const Texture* texture;  ///< if it is not filtered over footprints
   const Pyramid* pyramid;  ///< if it is
-  bool bumped;             ///< has a bump map
+  const Pyramid* bump;     ///< the bump map, if it has one; empty if the file cannot be used
   bool mirrors;            ///< reflects or transmits rays
   bool refracts;
 };

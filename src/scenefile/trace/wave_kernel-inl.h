@@ -5,7 +5,7 @@
 // clang-format off
 #include "scenefile/base/vector-inl.h"
 #include "scenefile/geometry/crossings-inl.h"
-#include "scenefile/geometry/normals-inl.h"
+#include "scenefile/geometry/surface-inl.h"
 #include "scenefile/trace/camera-inl.h"
 #include "scenefile/trace/footprint-inl.h"
 #include "scenefile/trace/lighting-inl.h"
@@ -133,7 +133,7 @@ std::uint32_t surface_number(const WaveHits& hits, std::uint32_t r) {
 
 // Textures that are not filtered over footprints differ in each sample.
 bool unfiltered(const WaveMaterial& material) {
-  return material.bumped || material.texture != nullptr;
+  return material.bump != nullptr || material.texture != nullptr;
 }
 
 void add_signatures(const WaveRays& rays, const WavePoints& points, WaveMemory& memory) {

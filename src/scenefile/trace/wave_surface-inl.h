@@ -7,65 +7,12 @@
 
 namespace scenefile::SCENEFILE_LANES {
 
-// The object-space normal for the shapes of a chunk.
-inline V3 object_normal(F shape, F face, const V3& p) {
-  const auto is = [&](Face a, Face b) { return (face == number_of(a)) | (face == number_of(b)); };
-  const auto axis = [&](M positive, M negative) {
-    return select(positive, splat(1), select(negative, splat(-1), splat(0)));
-  };
-  V3 normal{axis(is(Face::pos_x, Face::pos_x), is(Face::neg_x, Face::neg_x)),
-            axis(is(Face::pos_y, Face::top), is(Face::neg_y, Face::bottom)),
-            axis(is(Face::pos_z, Face::pos_z), is(Face::neg_z, Face::neg_z))};
-  const M round = face == number_of(Face::side);
-  if (none(round)) {
-    return normal;
-  }
-  const Around around = around_axis(p);
-  static_assert(shape_count == 5, "a new shape needs its normal here and its (u, v) below");
-  const auto sides = [&](Shape kind) { return round & (shape == splat(static_cast<int>(kind))); };
-  normal = select(sides(Shape::sphere), sphere_normal(p, around), normal);
-  normal = select(sides(Shape::cylinder), cylinder_normal(around), normal);
-  return select(sides(Shape::cone), cone_normal(around), normal);
-}
-
 inline V3 world_normal(const Map& object_from_world, const V3& normal) {
   const V3 n{dot(object_from_world.x, normal), dot(object_from_world.y, normal),
              dot(object_from_world.z, normal)};
   const F size = length(n);
   const M fine = (size > splat(0)) & finite(size);
   return select(fine, n / size, V3{splat(0), splat(1), splat(0)});
-}
-
-// The parts of a chunk of points, in lanes.
-struct ChunkParts {
-  Map map;
-  F shape;
-};
-
-inline bool all_one(const Part* const (&parts)[lanes]) {
-  return std::all_of(parts, parts + lanes, [&](const Part* part) { return part == parts[0]; });
-}
-
-inline ChunkParts chunk_parts(const Part* const (&parts)[lanes]) {
-  if (all_one(parts)) {
-    return {splat_map(parts[0]->part_from_group), splat(static_cast<int>(parts[0]->shape))};
-  }
-  alignas(64) double m[12][lanes];
-  alignas(64) double shape[lanes];
-  for (int i = 0; i < lanes; ++i) {
-    const Affine& map = parts[i]->part_from_group;
-    for (int column = 0; column < 3; ++column) {
-      for (int row = 0; row < 3; ++row) {
-        m[3 * column + row][i] = map.linear[column][row];
-      }
-      m[9 + column][i] = map.offset[column];
-    }
-    shape[i] = static_cast<int>(parts[i]->shape);
-  }
-  const auto vector = [&](int first) {
-    return V3{load(m[first]), load(m[first + 1]), load(m[first + 2])};
-  };
-  return {{vector(0), vector(3), vector(6), vector(9)}, load(shape)};
 }
 
 // Copies data of rays and hits to the points, and pads the last chunk with copies of the last
@@ -87,22 +34,7 @@ inline void gather_rays(const WaveRays& rays, const WaveHits& hits, WavePoints& 
   }
 }
 
-inline void put_material(const WaveMaterial& material, const Color& diffuse, WavePoints& points,
-                         int i) {
-  points.material[i] = &material;
-  put(diffuse, points.diffuse, i);
-  put(color_of(material.specular), points.specular, i);
-  put(color_of(material.ambient), points.color, i);
-  points.shininess[i] = material.shininess;
-}
-
-inline RayDifferential differential_of(const WaveRays& rays, std::uint32_t r) {
-  const int i = static_cast<int>(r);
-  return {{get(rays.origin_steps.x, i), get(rays.origin_steps.y, i)},
-          {get(rays.direction_steps.x, i), get(rays.direction_steps.y, i)}};
-}
-
-// The same for a chunk of rays.
+// The vectors of a chunk of rays.
 inline V3 gather3(const WaveVectors& from, const std::uint32_t* ray) {
   alignas(64) double rows[3][lanes];
   for (int i = 0; i < lanes; ++i) {
@@ -135,114 +67,16 @@ inline Hit hit_of(const WaveScene& scene, const WaveHits& hits, std::uint32_t r,
   return hit;
 }
 
-// (u, v) for the shapes of a chunk, in the lanes of the mask.
-inline void object_uv(F shape, F face, const V3& p, M wanted, F& u, F& v) {
-  const auto is = [&](Face f) { return face == number_of(f); };
-  const M on_side = is(Face::pos_x) | is(Face::neg_x) | is(Face::pos_z) | is(Face::neg_z);
-  const M below = is(Face::bottom) | is(Face::neg_y);
-  F along = select(is(Face::pos_x), -p.z, p.x);
-  along = select(is(Face::neg_x), p.z, select(is(Face::neg_z), -p.x, along));
-  u = clamp(along + splat(0.5), 0, 1);
-  v = clamp(select(on_side, p.y, select(below, p.z, -p.z)) + splat(0.5), 0, 1);
-  const M round = wanted & is(Face::side);
-  if (none(round)) {
-    return;
-  }
-  const Around around = around_axis(p);
-  const M ball = round & (shape == splat(static_cast<int>(Shape::sphere)));
-  u = select(round, around_u(around), u);
-  v = select(round, clamp(p.y + splat(0.5), 0, 1), v);
-  v = select(ball, sphere_v(p.y, around), v);
-}
-
-// Object-space data of a chunk of points on shapes.
-struct ChunkShapes {
-  Map map;
-  F shape;
-  F face;
-  V3 point;
-  V3 normal;  // in object space
-};
-
-inline void store_uv(const ChunkShapes& shapes, WavePoints& points, int at) {
-  F u;
-  F v;
-  object_uv(shapes.shape, shapes.face, shapes.point, !no_lanes(), u, v);
-  store(u, points.u + at);
-  store(v, points.v + at);
-}
-
-// Keeps what only explain.h needs of shapes.
-inline void note_shapes(const ChunkShapes& shapes, WavePointNotes& notes, int at) {
-  store3(shapes.normal, notes.object_normal, at);
-  std::fill_n(notes.has_uv + at, lanes, true);
-  std::fill_n(notes.bumped + at, lanes, false);
-  std::fill_n(notes.textured + at, lanes, false);
-}
-
-inline void note_texture(const V3& color, M used, WavePointNotes& notes, int at) {
-  store3(color, notes.texture, at);
-  for (int i = 0; i < lanes; ++i) {
-    notes.textured[at + i] = (bits(used) >> i & 1) != 0;
-  }
-}
-
-inline void note_one(const SurfacePoint& point, bool bumped, const std::optional<Color>& texture,
-                     WavePointNotes& notes, int i) {
-  put(point.object.normal, notes.object_normal, i);
-  notes.has_uv[i] = point.has_uv;
-  notes.bumped[i] = bumped;
-  notes.textured[i] = texture.has_value();
-  put(texture.value_or(Color(0)), notes.texture, i);
-}
-
-// Computes one point with the scalar code.
-inline void surface_of_one(const WaveScene& scene, const WaveRays& rays, const WaveHits& hits,
-                           bool lit, WavePoints& points, int i) {
-  const Tracer& tracer = scene.tracer;
-  const std::uint32_t r = points.ray[i];
-  const Ray ray{get(rays.origin, r), get(rays.direction, r)};
-  const Hit hit = hit_of(scene, hits, r, ray);
-  SurfacePoint point = surface_point(tracer.scene, tracer.assets, ray, hit, !scene.course);
-  PixelSteps steps;
-  if (scene.by_footprint) {
-    steps = arriving_steps(differential_of(rays, r), ray.direction, point);
-    const PixelSteps turns = normal_turns(point, steps);
-    put(steps.x, points.steps.x, i);
-    put(steps.y, points.steps.y, i);
-    put(turns.x, points.turns.x, i);
-    put(turns.y, points.turns.y, i);
-  }
-  Color diffuse(0);
-  const glm::dvec3 unbumped = point.normal;
-  std::optional<Color> texture;
-  if (lit) {
-    const int grid = rays.key[r].texture_grid;
-    apply_bump(tracer, point, steps, grid);
-    texture = texture_color(tracer, point, steps, grid);
-    diffuse = diffuse_color(tracer, *point.material, texture);
-  }
-  if constexpr (recording) {
-    note_one(point, point.normal != unbumped, texture, *points.notes, i);
-  }
-  put(point.position, points.position, i);
-  put(point.normal, points.normal, i);
-  put(point.geometric, points.geometric, i);
-  points.u[i] = point.object.uv.x;
-  points.v[i] = point.object.uv.y;
-  put_material(scene.materials[hit.material], diffuse, points, i);
-}
-
 // The textures of a chunk: one for each lane, with its repeats.
 struct ChunkTextures {
   const Texture* texture[lanes] = {};
   M used = no_lanes();
-  F width, height, repeat_u, repeat_v, blend;
+  F width, height, repeat_u, repeat_v;
 };
 
 inline ChunkTextures chunk_textures(const WavePoints& points, int at) {
   ChunkTextures chunk;
-  alignas(64) double numbers[5][lanes] = {};
+  alignas(64) double numbers[4][lanes] = {};
   unsigned used = 0;
   for (int i = 0; i < lanes; ++i) {
     const WaveMaterial& material = *points.material[at + i];
@@ -255,14 +89,12 @@ inline ChunkTextures chunk_textures(const WavePoints& points, int at) {
     numbers[1][i] = material.texture->height;
     numbers[2][i] = material.material->texture.repeat_u;
     numbers[3][i] = material.material->texture.repeat_v;
-    numbers[4][i] = material.blend;
   }
   chunk.used = of_bits(used);
   chunk.width = load(numbers[0]);
   chunk.height = load(numbers[1]);
   chunk.repeat_u = load(numbers[2]);
   chunk.repeat_v = load(numbers[3]);
-  chunk.blend = load(numbers[4]);
   return chunk;
 }
 
@@ -296,9 +128,14 @@ inline V3 texture_at(const WaveScene& scene, const ChunkTextures& chunk, F u, F 
 struct ChunkPyramids {
   const Pyramid* pyramid[lanes] = {};
   M used = no_lanes();
-  F count, width, height, repeat_u, repeat_v, blend, grid;
+  F count, width, height, repeat_u, repeat_v;
 
   F levels() const { return count; }
+
+  V3 at(F u, F v, const UvStep& right, const UvStep& down, F grid, M wanted) const {
+    return filtered(*this, texel_x(u, repeat_u, width), texel_y(v, repeat_v, height),
+                    texel_footprint(right, down, repeat_u, repeat_v, width, height), grid, wanted);
+  }
 
   V3 smooth(F level, M wanted, F x, F y) const {
     const Texture* texture[lanes] = {};
@@ -321,22 +158,23 @@ struct ChunkPyramids {
   }
 };
 
-inline ChunkPyramids chunk_pyramids(const WaveRays& rays, const WavePoints& points, int at) {
+inline ChunkPyramids chunk_pyramids(const WavePoints& points, int at,
+                                    const Pyramid* WaveMaterial::*map,
+                                    RenderTexture RenderMaterial::*use) {
   ChunkPyramids chunk;
-  alignas(64) double numbers[7][lanes];
+  alignas(64) double numbers[5][lanes];
   unsigned used = 0;
   for (int i = 0; i < lanes; ++i) {
     const WaveMaterial& material = *points.material[at + i];
-    const bool has = material.pyramid != nullptr;
+    const Pyramid* const pyramid = material.*map;
+    const bool has = pyramid != nullptr && !pyramid->empty();
     used |= has ? 1u << i : 0u;
-    chunk.pyramid[i] = material.pyramid;
-    numbers[0][i] = has ? material.pyramid->levels() : 1;
-    numbers[1][i] = has ? material.pyramid->level(0).width : 1;
-    numbers[2][i] = has ? material.pyramid->level(0).height : 1;
-    numbers[3][i] = has ? material.material->texture.repeat_u : 1;
-    numbers[4][i] = has ? material.material->texture.repeat_v : 1;
-    numbers[5][i] = material.blend;
-    numbers[6][i] = rays.key[points.ray[at + i]].texture_grid;
+    chunk.pyramid[i] = pyramid;
+    numbers[0][i] = has ? pyramid->levels() : 1;
+    numbers[1][i] = has ? pyramid->level(0).width : 1;
+    numbers[2][i] = has ? pyramid->level(0).height : 1;
+    numbers[3][i] = has ? (material.material->*use).repeat_u : 1;
+    numbers[4][i] = has ? (material.material->*use).repeat_v : 1;
   }
   chunk.used = of_bits(used);
   chunk.count = load(numbers[0]);
@@ -344,123 +182,247 @@ inline ChunkPyramids chunk_pyramids(const WaveRays& rays, const WavePoints& poin
   chunk.height = load(numbers[2]);
   chunk.repeat_u = load(numbers[3]);
   chunk.repeat_v = load(numbers[4]);
-  chunk.blend = load(numbers[5]);
-  chunk.grid = load(numbers[6]);
   return chunk;
 }
 
-inline void filtered_texture_chunk(const ChunkShapes& shapes, const Steps& steps,
-                                   const WaveRays& rays, WavePoints& points, int at) {
-  const ChunkPyramids chunk = chunk_pyramids(rays, points, at);
-  F u;
-  F v;
-  object_uv(shapes.shape, shapes.face, shapes.point, chunk.used, u, v);
-  const auto uv_step = [&](const V3& step) {
-    return shape_uv_step(shapes.shape, shapes.face, shapes.point, shapes.map.vector(step));
-  };
-  const TexelFootprint footprint =
-      texel_footprint(uv_step(steps.x), uv_step(steps.y), chunk.repeat_u, chunk.repeat_v,
-                      chunk.width, chunk.height);
-  const V3 color =
-      filtered(chunk, texel_x(u, chunk.repeat_u, chunk.width),
-               texel_y(v, chunk.repeat_v, chunk.height), footprint, chunk.grid, chunk.used);
-  const V3 plain = load3(points.diffuse, at);
-  store3(select(chunk.used, mix(plain, color, chunk.blend), plain), points.diffuse, at);
-  if constexpr (recording) {
-    note_texture(color, chunk.used, *points.notes, at);
-  }
-}
+// What a chunk of points is on.
+struct ChunkHits {
+  Map map;  // from world to object space
+  F shape;
+  F face;
+  M mesh = no_lanes();
+  M has_uv = !no_lanes();
+  MeshPoint on_mesh[lanes];  // in the lanes of `mesh`
+};
 
-// The footprints on the surfaces, for textures and for secondary rays.
-inline void footprint_chunk(const ChunkShapes& shapes, const WaveRays& rays, bool textured,
-                            WavePoints& points, int at) {
-  const std::uint32_t* const ray = points.ray + at;
-  const V3 geometric = load3(points.geometric, at);
-  const Steps steps =
-      arriving_steps(gather_steps(rays.origin_steps, ray), gather_steps(rays.direction_steps, ray),
-                     load3(points.direction, at), geometric, load(points.t + at));
-  if (textured) {
-    filtered_texture_chunk(shapes, steps, rays, points, at);
-  }
-  const bool goes_on = std::any_of(points.material + at, points.material + at + lanes,
-                                   [](const WaveMaterial* m) { return m->mirrors || m->refracts; });
-  if (goes_on) {
-    const auto turn = [&](const V3& step) {
-      return world_normal_turn(shapes.map.x, shapes.map.y, shapes.map.z, shapes.shape, shapes.face,
-                               shapes.point, shapes.normal, step);
-    };
-    store_steps(steps, points.steps, at);
-    store_steps({turn(steps.x), turn(steps.y)}, points.turns, at);
-  }
-}
-
-inline void texture_chunk(const WaveScene& scene, F shape, F face, const V3& p, WavePoints& points,
-                          int at) {
-  const ChunkTextures chunk = chunk_textures(points, at);
-  F u;
-  F v;
-  object_uv(shape, face, p, chunk.used, u, v);
-  const V3 plain = load3(points.diffuse, at);
-  const V3 color = texture_at(scene, chunk, u, v);
-  store3(select(chunk.used, mix(plain, color, chunk.blend), plain), points.diffuse, at);
-  if constexpr (recording) {
-    note_texture(color, chunk.used, *points.notes, at);
-  }
-}
-
-// Sets the materials of a chunk; returns whether any has a texture.
-inline bool shape_materials(const WaveScene& scene, const Part* const (&parts)[lanes],
-                            WavePoints& points, int at) {
-  const WaveMaterial& first = scene.materials[parts[0]->material];
-  if (all_one(parts)) {
+// Sets the materials of a chunk.
+inline void set_materials(const WaveScene& scene, const std::uint32_t (&materials)[lanes],
+                          WavePoints& points, int at) {
+  const WaveMaterial& first = scene.materials[materials[0]];
+  if (std::all_of(materials, materials + lanes,
+                  [&](std::uint32_t material) { return material == materials[0]; })) {
     std::fill_n(points.material + at, lanes, &first);
     store3(splat_row(first.diffuse), points.diffuse, at);
     store3(splat_row(first.specular), points.specular, at);
     store3(splat_row(first.ambient), points.color, at);
     store(splat(first.shininess), points.shininess + at);
-    return first.texture != nullptr || first.pyramid != nullptr;
+    return;
   }
-  bool textured = false;
   for (int i = 0; i < lanes; ++i) {
-    const WaveMaterial& material = scene.materials[parts[i]->material];
-    put_material(material, color_of(material.diffuse), points, at + i);
-    textured = textured || material.texture != nullptr || material.pyramid != nullptr;
+    const WaveMaterial& material = scene.materials[materials[i]];
+    points.material[at + i] = &material;
+    put(color_of(material.diffuse), points.diffuse, at + i);
+    put(color_of(material.specular), points.specular, at + i);
+    put(color_of(material.ambient), points.color, at + i);
+    points.shininess[at + i] = material.shininess;
   }
-  return textured;
 }
 
-// For chunks that only have shapes of the root group.
-inline void shape_surfaces(const WaveScene& scene, const WaveRays& rays, const WaveHits& hits,
-                           bool lit, WavePoints& points, int at) {
-  const Part* parts[lanes];
+// Also sets the materials of the points.
+inline ChunkHits chunk_hits(const WaveScene& scene, const WaveHits& hits, WavePoints& points,
+                            int at) {
+  const std::uint32_t* const ray = points.ray + at;
+  ChunkHits chunk;
+  std::uint32_t materials[lanes];
   alignas(64) double faces[lanes];
+  const double first = hits.part[ray[0]];
+  if (first >= 0 &&
+      std::all_of(ray, ray + lanes, [&](std::uint32_t r) { return hits.part[r] == first; })) {
+    const Part& part = scene.root[static_cast<std::size_t>(first)];
+    for (int i = 0; i < lanes; ++i) {
+      faces[i] = hits.face[ray[i]];
+    }
+    std::fill_n(materials, lanes, part.material);
+    set_materials(scene, materials, points, at);
+    chunk.map = splat_map(part.part_from_group);
+    chunk.shape = splat(static_cast<int>(part.shape));
+    chunk.face = load(faces);
+    return chunk;
+  }
+  alignas(64) double m[12][lanes];
+  alignas(64) double shapes[lanes];
+  unsigned meshes = 0;
+  unsigned without_uv = 0;
+  const auto put_map = [&](const auto& map, int i) {
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 3; ++column) {
+        m[3 * column + row][i] = map.linear[column][row];
+      }
+      m[9 + row][i] = map.offset[row];
+    }
+  };
   for (int i = 0; i < lanes; ++i) {
-    const std::uint32_t r = points.ray[at + i];
-    parts[i] = &scene.root[static_cast<std::size_t>(hits.part[r])];
-    faces[i] = hits.face[r];
+    if (hits.part[ray[i]] >= 0) {
+      const Part& part = scene.root[static_cast<std::size_t>(hits.part[ray[i]])];
+      put_map(part.part_from_group, i);
+      materials[i] = part.material;
+      shapes[i] = static_cast<int>(part.shape);
+      faces[i] = hits.face[ray[i]];
+      continue;
+    }
+    const Hit& hit = hits.others[ray[i]];
+    put_map(hit.object_from_world, i);
+    materials[i] = hit.material;
+    shapes[i] = static_cast<int>(hit.shape);
+    faces[i] = static_cast<int>(hit.face);
+    if (hit.shape == Shape::mesh) {
+      const Mesh& mesh = scene.tracer.assets.meshes[hit.mesh];
+      chunk.on_mesh[i] = {&mesh, hit.triangle, hit.b1, hit.b2};
+      meshes |= 1u << i;
+      without_uv |= unsigned(mesh.triangle_uvs.empty()) << i;
+    }
   }
-  const bool textured = shape_materials(scene, parts, points, at) && lit;
-  const ChunkParts chunk = chunk_parts(parts);
-  const V3 position = load3(points.normal, at) + load(points.t + at) * load3(points.direction, at);
-  const V3 object_point = chunk.map.point(position);
-  const V3 normal_there = object_normal(chunk.shape, load(faces), object_point);
-  const V3 normal = world_normal(chunk.map, normal_there);
-  store3(position, points.position, at);
-  store3(normal, points.normal, at);
-  store3(normal, points.geometric, at);
-  const bool filtered = !scene.course && scene.tracer.options.features.texture_filter;
-  const ChunkShapes shapes{chunk.map, chunk.shape, load(faces), object_point, normal_there};
-  if (points.with_uv) {
-    store_uv(shapes, points, at);
+  set_materials(scene, materials, points, at);
+  const auto vector = [&](int row) { return V3{load(m[row]), load(m[row + 1]), load(m[row + 2])}; };
+  chunk.map = {vector(0), vector(3), vector(6), vector(9)};
+  chunk.shape = load(shapes);
+  chunk.face = load(faces);
+  chunk.mesh = of_bits(meshes);
+  chunk.has_uv = !of_bits(without_uv);
+  return chunk;
+}
+
+// The surface of a chunk of points, in object space.
+struct ChunkSurface {
+  ChunkHits hits;
+  V3 point;
+  SurfaceLanes local;
+  V3 flat;  // the geometric normal
+
+  UvStep uv_step(const V3& world_step) const {
+    const V3 step = hits.map.vector(world_step);
+    UvStep of_shape{splat(0), splat(0)};
+    if (!every(hits.mesh)) {
+      of_shape = shape_uv_step(hits.shape, hits.face, point, step);
+    }
+    if (none(hits.mesh)) {
+      return of_shape;
+    }
+    const UvStep of_mesh = mesh_uv_step(local.tangent_u, local.tangent_v, step);
+    const auto chosen = [&](F mesh, F shape) {
+      return select(hits.has_uv, select(hits.mesh, mesh, shape), splat(0));
+    };
+    return {chosen(of_mesh.u, of_shape.u), chosen(of_mesh.v, of_shape.v)};
   }
+
+  V3 normal_turn(const V3& step) const {
+    const Map& map = hits.map;
+    return world_normal_turn(map.x, map.y, map.z, hits.shape, hits.face, point, local.normal, step);
+  }
+};
+
+// Which data of the surfaces the materials of a chunk need.
+struct ChunkNeeds {
+  bool texture = false;
+  bool pyramid = false;
+  bool bump = false;
+  bool next = false;  // rays that go on
+
+  bool uv() const { return texture || pyramid || bump; }
+};
+
+inline ChunkNeeds chunk_needs(const WavePoints& points, int at, bool lit) {
+  ChunkNeeds needs;
+  for (int i = at; i < at + lanes; ++i) {
+    const WaveMaterial& m = *points.material[i];
+    needs.texture = needs.texture || (lit && m.texture != nullptr);
+    needs.pyramid = needs.pyramid || (lit && m.pyramid != nullptr);
+    needs.bump = needs.bump || (lit && m.bump != nullptr);
+    needs.next = needs.next || m.mirrors || m.refracts;
+  }
+  return needs;
+}
+
+inline ChunkSurface chunk_surface(const ChunkHits& hits, const V3& position, bool smooth, bool uv,
+                                  bool tangents) {
+  ChunkSurface s{hits, hits.map.point(position), {}, {}};
+  if (!every(hits.mesh)) {
+    s.local.normal = shape_normal(hits.shape, hits.face, s.point);
+    if (uv) {
+      set_shape_uv(hits.shape, hits.face, s.point, s.local);
+    }
+    if (tangents) {
+      set_shape_tangents(hits.shape, hits.face, s.point, s.local);
+    }
+  }
+  s.flat = s.local.normal;
+  if (any(hits.mesh)) {
+    const MeshSurface on_mesh = mesh_surface(hits.on_mesh, smooth);
+    s.flat = select(hits.mesh, on_mesh.flat, s.flat);
+    s.local = select(hits.mesh, on_mesh.surface, s.local);
+  }
+  return s;
+}
+
+// Keeps what only explain.h needs.
+inline void note_surface(const ChunkSurface& surface, WavePointNotes& notes, int at) {
+  store3(surface.local.normal, notes.object_normal, at);
+  std::fill_n(notes.has_uv + at, lanes, any(surface.hits.has_uv));
+  std::fill_n(notes.bumped + at, lanes, false);
+  std::fill_n(notes.textured + at, lanes, false);
+}
+
+inline void blend_texture(const V3& color, M used, WavePoints& points, int at) {
+  alignas(64) double blend[lanes];
+  for (int i = 0; i < lanes; ++i) {
+    blend[i] = points.material[at + i]->blend;
+  }
+  const V3 plain = load3(points.diffuse, at);
+  store3(select(used, mix(plain, color, load(blend)), plain), points.diffuse, at);
   if constexpr (recording) {
-    note_shapes(shapes, *points.notes, at);
+    store3(color, points.notes->texture, at);
+    std::fill_n(points.notes->textured + at, lanes, any(used));
   }
-  if (scene.by_footprint) {
-    footprint_chunk(shapes, rays, textured && filtered, points, at);
+}
+
+// Replaces the shading normals by those of bump maps.
+inline void bump_chunk(const ChunkSurface& surface, const UvStep& right, const UvStep& down, F grid,
+                       WavePoints& points, int at) {
+  const ChunkPyramids chunk =
+      chunk_pyramids(points, at, &WaveMaterial::bump, &RenderMaterial::bump_map);
+  const UvStep across{right.u / grid, right.v / grid};
+  const UvStep along{down.u / grid, down.v / grid};
+  M wanted = chunk.used & surface.hits.has_uv;
+  const V3 bumped = bumped_normal(
+      surface.local, across, along, chunk.repeat_u * chunk.width, chunk.repeat_v * chunk.height,
+      wanted, [&](F u, F v, M where) { return chunk.at(u, v, across, along, splat(1), where); });
+  const V3 plain = load3(points.normal, at);
+  const V3 normal = select(wanted, world_normal(surface.hits.map, bumped), plain);
+  store3(normal, points.normal, at);
+  if constexpr (recording) {
+    const M same = (normal.x == plain.x) & (normal.y == plain.y) & (normal.z == plain.z);
+    std::fill_n(points.notes->bumped + at, lanes, !every(same));
   }
-  if (textured && !filtered) {
-    texture_chunk(scene, chunk.shape, load(faces), object_point, points, at);
+}
+
+// What is filtered over footprints, and the footprints on the surfaces for secondary rays.
+inline void footprint_chunk(const ChunkSurface& surface, const WaveRays& rays,
+                            const ChunkNeeds& needs, WavePoints& points, int at) {
+  const std::uint32_t* const ray = points.ray + at;
+  const Steps steps =
+      arriving_steps(gather_steps(rays.origin_steps, ray), gather_steps(rays.direction_steps, ray),
+                     load3(points.direction, at), load3(points.geometric, at), load(points.t + at));
+  if (needs.bump || needs.pyramid) {
+    const UvStep right = surface.uv_step(steps.x);
+    const UvStep down = surface.uv_step(steps.y);
+    alignas(64) double grids[lanes];
+    for (int i = 0; i < lanes; ++i) {
+      grids[i] = rays.key[ray[i]].texture_grid;
+    }
+    if (needs.bump) {
+      bump_chunk(surface, right, down, load(grids), points, at);
+    }
+    if (needs.pyramid) {
+      const ChunkPyramids chunk =
+          chunk_pyramids(points, at, &WaveMaterial::pyramid, &RenderMaterial::texture);
+      blend_texture(
+          chunk.at(surface.local.u, surface.local.v, right, down, load(grids), chunk.used),
+          chunk.used, points, at);
+    }
+  }
+  if (needs.next) {
+    store_steps(steps, points.steps, at);
+    store_steps({surface.normal_turn(steps.x), surface.normal_turn(steps.y)}, points.turns, at);
   }
 }
 
@@ -472,19 +434,33 @@ inline void find_surfaces(const WaveScene& scene, const WaveRays& rays, const Wa
   }
   gather_rays(rays, hits, points);
   for (int at = 0; at < points.count; at += lanes) {
-    const bool shapes = std::all_of(points.ray + at, points.ray + at + lanes,
-                                    [&](std::uint32_t r) { return hits.part[r] >= 0; });
-    if (shapes) {
-      shape_surfaces(scene, rays, hits, lit, points, at);
-    }
-    for (int i = at; i < at + lanes; ++i) {
-      if (!shapes || (lit && points.material[i]->bumped)) {
-        surface_of_one(scene, rays, hits, lit, points, i);
-      }
-    }
-    const V3 position = load3(points.position, at);
+    const ChunkHits on = chunk_hits(scene, hits, points, at);
+    const ChunkNeeds needs = chunk_needs(points, at, lit);
+    const V3 position =
+        load3(points.normal, at) + load(points.t + at) * load3(points.direction, at);
+    const ChunkSurface surface =
+        chunk_surface(on, position, !scene.course, points.with_uv || needs.uv(), needs.bump);
+    const V3 normal = world_normal(on.map, surface.local.normal);
+    store3(position, points.position, at);
+    store3(normal, points.normal, at);
+    store3(any(on.mesh) ? world_normal(on.map, surface.flat) : normal, points.geometric, at);
     store(scene.course ? splat(course_offset) : fine_offset(position, load(points.t + at)),
           points.offset + at);
+    if (points.with_uv) {
+      store(surface.local.u, points.u + at);
+      store(surface.local.v, points.v + at);
+    }
+    if constexpr (recording) {
+      note_surface(surface, *points.notes, at);
+    }
+    if (scene.by_footprint) {
+      footprint_chunk(surface, rays, needs, points, at);
+    }
+    if (needs.texture) {
+      const ChunkTextures chunk = chunk_textures(points, at);
+      blend_texture(texture_at(scene, chunk, surface.local.u, surface.local.v), chunk.used, points,
+                    at);
+    }
   }
 }
 

@@ -3,8 +3,6 @@
 
 #include "scenefile/trace/wave_memory.h"
 
-#include <optional>
-
 namespace scenefile::SCENEFILE_LANES {
 
 inline V3 world_normal(const Map& object_from_world, const V3& normal) {

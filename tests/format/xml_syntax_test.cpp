@@ -102,10 +102,11 @@ TEST(XmlSyntax, ReadingGoesOnAfterUnquotedValues) {
   EXPECT_THAT(in_scale("<scale x=\"1 y=\"1\" z=\"1/>"),
               ElementsAre("4:10 \"1\" is missing its closing quotation mark; write x=\"1\"",
                           "4:21 \"1\" is missing its closing quotation mark; write z=\"1\""));
-  EXPECT_THAT(said(in_root("<transblock><object type='primitive' name=\"two words filename=\"mesh\"/>"
-                           "</transblock>"))
-                  .front(),
-              HasSubstr("\"two words\" is missing its closing quotation mark"));
+  EXPECT_THAT(
+      said(in_root("<transblock><object type='primitive' name=\"two words filename=\"mesh\"/>"
+                   "</transblock>"))
+          .front(),
+      HasSubstr("\"two words\" is missing its closing quotation mark"));
   EXPECT_THAT(in_scale("<scale x=\u201C1\u201D y = \n\u2018 1\u2019 z=\"1\"/>"),
               ElementsAre(HasSubstr("4:10 a typographic quotation mark, as word processors insert "
                                     "it; write x=\"1\""),

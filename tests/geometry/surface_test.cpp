@@ -1,8 +1,8 @@
 #include "geometry/solids.h"
 #include "scenefile/base/one_lane.h"
 #include "scenefile/base/vector-inl.h"
-#include "scenefile/geometry/surface-inl.h"
 #include "scenefile/geometry/shapes.h"
+#include "scenefile/geometry/surface-inl.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -165,7 +165,8 @@ WaveScene::WaveScene(const Tracer& t, const CameraRays& c)
   for (const RenderMaterial& material : tracer.scene.materials) {
     materials.push_back(wave_material(tracer, material));
     put_density(tracer, materials.size() - 1, materials.back());
-    by_footprint = by_footprint || materials.back().pyramid != nullptr || materials.back().bump != nullptr;
+    by_footprint =
+        by_footprint || materials.back().pyramid != nullptr || materials.back().bump != nullptr;
   }
   tests_all_parts = root.size() <= PartTree::fewest_parts &&
                     std::all_of(root.begin(), root.end(),

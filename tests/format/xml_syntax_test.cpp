@@ -162,6 +162,12 @@ TEST(XmlSyntax, ManyRepairedMistakesAreCounted) {
   EXPECT_EQ(reading.diagnostics.count(Severity::error), 200000u);
 }
 
+TEST(XmlSyntax, ColumnsAfterRepairedValuesAreThoseOfTheFile) {
+  EXPECT_THAT(
+      said(with_transforms("<scale x=\u201C\u00E91\u201D y=\"1\" z=\"1\"/><<scale/>")).back(),
+      HasSubstr("4:29 two < in a row"));
+}
+
 TEST(XmlSyntax, MistakesAreNamedWhereTheyBegin) {
   const auto one = [](std::string_view inside) { return said(with_transforms(inside)).back(); };
   EXPECT_EQ(one("<scale x=\"1\" y=\"1\" z=\"1 1/>\n<a/>"),

@@ -124,7 +124,7 @@ bool EventReader::fail() {
     const auto at = static_cast<std::size_t>(name.data() - 1 - text_.data());
     open.push_back({name, places_.at(at), at});
   }
-  report_syntax(*fault_, repaired_ ? *repaired_ : text_, open, diagnostics_);
+  report_syntax(*fault_, repaired_ ? *repaired_ : text_, open, places_, diagnostics_);
   return false;
 }
 

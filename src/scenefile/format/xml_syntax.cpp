@@ -578,15 +578,15 @@ std::size_t find_entity_use(std::string_view markup) {
 }
 
 void report_syntax(const XmlFault& fault, std::string_view text, std::span<const OpenElement> open,
-                   Diagnostics& diagnostics) {
-  TextPlaces places(text);
+                   TextPlaces& places, Diagnostics& diagnostics) {
   if (fault.kind == SyntaxFault::declaration) {
     diagnostics.report(xml_entity, places.at(fault.at), fault.message);
     return;
   }
   const std::string_view line = line_at(text, fault.at);
   if (is_conflict_marker(line)) {
-    diagnostics.report(xml_conflict_marker, places.at(line.data()),
+    diagnostics.report(xml_conflict_marker,
+                       places.at(static_cast<std::size_t>(line.data() - text.data())),
                        fmt::format("an unresolved git conflict: {}", quoted(line, 40)));
     return;
   }

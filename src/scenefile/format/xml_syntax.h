@@ -24,9 +24,10 @@ struct OpenElement {
 /// The offset of the first reference to an entity not predefined in XML; npos if there is none.
 std::size_t find_entity_use(std::string_view markup);
 
-/// Reports the fault of `text`; `open` lists the open elements.
+/// Reports the fault of `text`, which may be repaired: repair() keeps the offsets of bytes.
+/// `places`: of the file; `open`: the open elements.
 void report_syntax(const XmlFault& fault, std::string_view text, std::span<const OpenElement> open,
-                   Diagnostics& diagnostics);
+                   TextPlaces& places, Diagnostics& diagnostics);
 
 /// Reports the values of a token that is `unquoted`.
 void report_unquoted(const XmlToken& token, TextPlaces& places, Diagnostics& diagnostics);

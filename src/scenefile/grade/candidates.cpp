@@ -323,8 +323,8 @@ bool fits(const Simulation& sim, const Combination& start, std::uint16_t other) 
     return false;
   }
   const auto at_edges = [&](std::uint16_t i) { return shows_at_edges(sim.list[i]); };
-  if (!start.empty() && at_edges(other) && !sim.noise().empty()) {
-    return false;  // compression changes edges the most
+  if (!start.empty() && at_edges(other) && !sim.shows_edges()) {
+    return false;
   }
   const bool only_at_edges = at_edges(other) || std::all_of(start.begin(), start.end(), at_edges);
   if (!start.empty() && !only_at_edges && (sim.any_heavy(start) || sim.any_heavy({other}))) {

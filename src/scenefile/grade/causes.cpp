@@ -507,8 +507,8 @@ std::vector<Tried> with_fitted_functions(Simulation& sim, std::vector<Tried> alo
 // Claims a shift that explains the edges. `all`: only one by less than a pixel that explains all of
 // the picture.
 bool claim_shift(Simulation& sim, const Pixels& pixels, bool all, CauseReport& report) {
-  if (!sim.noise().empty()) {
-    return false;  // compression changes edges the most
+  if (!sim.shows_edges()) {
+    return false;
   }
   const PointsRestored restored(sim);
   const std::optional<Tried> shift = find_shift(sim, pixels);

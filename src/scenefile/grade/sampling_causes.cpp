@@ -425,8 +425,7 @@ Tried with_edges(Simulation& sim, const Tried& found) {
   const bool other_camera = std::any_of(
       found.mistakes.begin(), found.mistakes.end(),
       [&](std::uint16_t i) { return sim.list[i].stage >= Stage::camera && i >= sim.first_fitted; });
-  // Compression changes edges the most.
-  if (!sim.usable || other_camera || found.mistakes.size() > 2 || !sim.noise().empty()) {
+  if (!sim.usable || other_camera || found.mistakes.size() > 2 || !sim.shows_edges()) {
     return found;
   }
   std::optional<std::uint16_t> more;

@@ -13,8 +13,12 @@ namespace {
 
 using one::splat3;
 
+glm::dvec3 vector_of(const one::V3& v) {
+  return {v.x, v.y, v.z};
+}
+
 PixelSteps steps_of(const one::Steps& steps) {
-  return {{steps.x.x, steps.x.y, steps.x.z}, {steps.y.x, steps.y.y, steps.y.z}};
+  return {vector_of(steps.x), vector_of(steps.y)};
 }
 
 one::Steps in_lane(const PixelSteps& steps) {
@@ -49,6 +53,23 @@ bool refract_direction(const glm::dvec3& direction, const glm::dvec3& normal, do
 RayDifferential camera_differential(const CameraRays& camera, const glm::dvec2& pixel,
                                     const glm::dvec2& lens, double width) {
   return {{}, steps_of(one::camera_steps(camera.frame(), pixel.x, pixel.y, lens.x, lens.y, width))};
+}
+
+PixelSteps arriving_steps(const RayDifferential& ray, const glm::dvec3& direction,
+                          const SurfacePoint& point) {
+  return steps_of(one::arriving_steps(in_lane(ray.origin), in_lane(ray.direction),
+                                      splat3(direction), splat3(point.geometric), point.hit.t));
+}
+
+PixelSteps normal_turns(const SurfacePoint& point, const PixelSteps& steps) {
+  const glm::dmat3& map = point.hit.object_from_world.linear;
+  const auto turn = [&](const glm::dvec3& step) {
+    return vector_of(one::world_normal_turn(
+        splat3(map[0]), splat3(map[1]), splat3(map[2]), static_cast<int>(point.hit.shape),
+        static_cast<int>(point.hit.face), splat3(point.hit.object_point),
+        splat3(point.object.normal), splat3(step)));
+  };
+  return {turn(steps.x), turn(steps.y)};
 }
 
 RayDifferential mirrored_differential(const RayDifferential& ray, const glm::dvec3& direction,

@@ -23,6 +23,13 @@ bool refract_direction(const glm::dvec3& direction, const glm::dvec3& normal, do
 RayDifferential camera_differential(const CameraRays& camera, const glm::dvec2& pixel,
                                     const glm::dvec2& lens, double width);
 
+/// The derivatives of the point where a ray with that unit direction hits the surface.
+PixelSteps arriving_steps(const RayDifferential& ray, const glm::dvec3& direction,
+                          const SurfacePoint& point);
+
+/// The derivatives of the geometric normal for these steps.
+PixelSteps normal_turns(const SurfacePoint& point, const PixelSteps& steps);
+
 /// After a reflection. `steps`: derivatives of the point; `normal`: the one used for the
 /// reflection.
 RayDifferential mirrored_differential(const RayDifferential& ray, const glm::dvec3& direction,

@@ -20,14 +20,7 @@ struct RayDifferential {
   PixelSteps direction;
 };
 
-/// The derivatives of the point where a ray with that unit direction hits the surface.
-PixelSteps arriving_steps(const RayDifferential& ray, const glm::dvec3& direction,
-                          const SurfacePoint& point);
-
 /// The footprint in (u, v) around the point for these steps.
 UvFootprint uv_footprint(const SurfacePoint& point, const PixelSteps& steps);
-
-/// The derivatives of the geometric normal for these steps.
-PixelSteps normal_turns(const SurfacePoint& point, const PixelSteps& steps);
 
 }  // namespace scenefile

@@ -46,7 +46,7 @@ struct Correction {
   /// the key and its value, or of the value that begins at the place of the finding.
   std::string written;
   /// Without escapes. The same as `written` if only its quotes or escapes are wrong; empty to
-  /// remove it; attributes (`x="1" y="2"`) instead of the one that is named `written`.
+  /// remove it. Several attributes, as in `x="1" y="2"`, replace the one that is named `written`.
   std::string instead;
   bool certain = true;  ///< false if another word is as likely, or the author has to choose
 };

@@ -269,6 +269,40 @@ TEST_F(EditingTest, AChangedFileReplacesTheEditsIfWanted) {
   EXPECT_EQ(text(), file());
   EXPECT_FALSE(has_unsaved_edits(session));
   EXPECT_NEAR(scene().materials[0].diffuse.r, 1, 1e-6);
+  perform(session, Action::undo);
+  settle();
+  EXPECT_NEAR(scene().materials[0].diffuse.r, 0.5, 1e-6) << "the edits come back";
+  EXPECT_TRUE(has_unsaved_edits(session));
+}
+
+TEST_F(EditingTest, EditsBeforeAChangeOfTheFileCanStillBeUndone) {
+  select_label("sphere");
+  drag_value("diffuse", 0, "0.5");
+  perform(session, Action::save);
+  settle();
+  const std::string before = file();
+  rewrite("in front", "far in front");
+  EXPECT_EQ(text(), file());
+  perform(session, Action::undo);
+  EXPECT_EQ(text(), before);
+  perform(session, Action::undo);
+  EXPECT_EQ(text(), testing::scene_text);
+  EXPECT_TRUE(has_unsaved_edits(session));
+  perform(session, Action::redo);
+  perform(session, Action::redo);
+  EXPECT_EQ(text(), file());
+  EXPECT_FALSE(has_unsaved_edits(session));
+}
+
+TEST_F(EditingTest, TheCopyOfATransblockIsSelectedAsOne) {
+  select_label("sphere");
+  const std::uint32_t block = session.shown->outline.rows[*session.selected].parent;
+  select(session, block);
+  perform(session, Action::duplicate);
+  settle();
+  ASSERT_TRUE(session.selected.has_value());
+  EXPECT_NE(session.selected, block);
+  EXPECT_EQ(session.shown->outline.rows[*session.selected].kind, RowKind::group);
 }
 
 TEST_F(EditingTest, QuittingGoesOnAfterAConflict) {
@@ -404,6 +438,23 @@ TEST_F(EditingTest, ANewSceneIsCreatedWhenItIsSaved) {
     EXPECT_EQ(folder.read(name), text());
     settle();
   }
+}
+
+TEST_F(EditingTest, ANewSceneWithoutANameAsksForOne) {
+  new_scene(session, folder.path("scene.xml"), true);
+  settle();
+  perform(session, Action::save);
+  ASSERT_TRUE(session.question.has_value());
+  EXPECT_FALSE(std::filesystem::exists(folder.path("scene.xml")));
+  session.question->path = folder.path("mine.xml");
+  answer("Save");
+  EXPECT_EQ(folder.read("mine.xml"), text());
+  settle();
+  select_label("cube");
+  drag_value("diffuse", 0, "0.25");
+  perform(session, Action::save);
+  EXPECT_FALSE(session.question.has_value());
+  EXPECT_EQ(folder.read("mine.xml"), text());
 }
 
 TEST_F(EditingTest, EditsThatBreakTheSceneAreUndone) {

@@ -290,7 +290,7 @@ function setDocument({ id = store.newId(), path, content, files = new Map(), opt
   store.hold(id);
   byId('name').value = baseName(path);
   document.title = `${baseName(path)} – scenefile`;
-  for (const key of ['stopped', 'failed', 'scenes', 'opened', 'converted']) {
+  for (const key of ['stopped', 'failed', 'scenes', 'opened', 'converted', 'encoding']) {
     clearNotice(key);
   }
   closeComparison();
@@ -371,25 +371,34 @@ async function openModel(files, path) {
   }
 }
 
-// The text of a scene's bytes. What is in another encoding than UTF-8 says so, as the text is saved in UTF-8.
+// The text of a scene's bytes, and whether its encoding was guessed. It is saved in UTF-8, so a declaration of another
+// encoding becomes one of UTF-8.
 function sceneText(bytes) {
-  const start = new TextDecoder('latin1').decode(bytes.subarray(0, 200));
-  const [declaration, before, quote, name] = /^(<\?xml[^>]*\sencoding\s*=\s*)(["'])([^"'>]*)\2/.exec(start) ?? [];
-  if (declaration === undefined || /^utf-8$/i.test(name) || bytes.every((byte) => byte < 128)) {
-    return text.decode(bytes);
+  const declaration = /^(<\?xml[^>]*\sencoding\s*=\s*)(["'])([^"'>]*)\2/;
+  const declared = declaration.exec(new TextDecoder('latin1').decode(bytes.subarray(0, 200)))?.[3];
+  const mark = (bytes[0] << 8) | bytes[1];
+  const encoding = mark === 0xfffe ? 'utf-16le' : mark === 0xfeff ? 'utf-16be' : (declared ?? 'utf-8');
+  const decoded = (name) => new TextDecoder(name, { fatal: true }).decode(bytes);
+  try {
+    return [/^utf-?8$/i.test(encoding) ? decoded('utf-8') : decoded(encoding).replace(declaration, '$1$2UTF-8$2'), false];
+  } catch {
+    // The encoding is not known, or the bytes are not in it.
   }
   try {
-    return `${before}${quote}UTF-8${quote}${new TextDecoder(name).decode(bytes).slice(declaration.length)}`;
+    return [decoded('utf-8'), false];
   } catch {
-    return text.decode(bytes); // an encoding that is not known
+    return [decoded('windows-1252'), true];
   }
 }
 
 function openFrom(files, scenes, path) {
-  const content = sceneText(files.get(path));
+  const [content, guessed] = sceneText(files.get(path));
   const others = new Map(files);
   others.delete(path);
   setDocument({ path, content, files: others });
+  if (guessed) {
+    notice('encoding', `${path} is not in UTF-8; it was read as windows-1252. If letters are wrong, save it as UTF-8 in a text editor, and open it again.`);
+  }
   if (scenes.length > 1) {
     notice('scenes', `${scenes.length} scenes were opened; this is ${path}.`, {
       actions: scenes.filter((other) => other !== path).slice(0, 30).map((other) => [other, () => openFrom(files, scenes, other)]),

@@ -697,10 +697,20 @@ test('panels and completion count characters as the editor does', async () => {
 
 test('scenes in other encodings become UTF-8', async () => {
   await open();
-  const text = hello.replace(/^(<\?xml[^>]*>)?/, '<?xml version="1.0" encoding="ISO-8859-1"?>').replace('<scenefile>', '<scenefile><!-- Gr\u00fc\u00dfe -->');
-  await page.setInputFiles('#file-input', { name: 'scene.xml', mimeType: 'text/xml', buffer: Buffer.from(text, 'latin1') });
-  await page.waitForFunction(() => document.title.startsWith('scene.xml'));
-  assert.equal(await wholeText(), text.replace('ISO-8859-1', 'UTF-8'));
+  const withDeclaration = (encoding) => hello.replace(/^(<\?xml[^>]*>)?/, encoding && `<?xml version="1.0" encoding="${encoding}"?>`).replace('<scenefile>', '<scenefile><!-- Gr\u00fc\u00dfe -->');
+  const opened = async (name, buffer) => {
+    await page.setInputFiles('#file-input', { name, mimeType: 'text/xml', buffer });
+    await page.waitForFunction((start) => document.title.startsWith(start), name);
+    return wholeText();
+  };
+  assert.equal(await opened('latin1.xml', Buffer.from(withDeclaration('ISO-8859-1'), 'latin1')), withDeclaration('UTF-8'));
+  assert.equal(await opened('utf16.xml', Buffer.from(`\ufeff${withDeclaration('UTF-16')}`, 'utf16le')), withDeclaration('UTF-8'));
+  assert.equal(await page.locator('[data-key="encoding"]').count(), 0);
+  for (const encoding of ['', 'UTF-8']) {
+    const text = withDeclaration(encoding);
+    assert.equal(await opened(`undeclared${encoding}.xml`, Buffer.from(text, 'latin1')), text);
+    assert.match(await page.innerText('[data-key="encoding"]'), /not in UTF-8; it was read as windows-1252/);
+  }
 });
 
 test('panels say where the error of a text is', async () => {

@@ -1143,13 +1143,23 @@ Result<Edit> set_camera(const Document& document, const Camera& camera) {
       fresh.push_back({&editor.word_of(item, field.name), std::move(values)});
     }
   };
-  const glm::vec3 focus = camera.position + camera.look;
+  // The sum of two floats may have more digits than they have.
+  const glm::dvec3 sum = glm::dvec3(camera.position) + glm::dvec3(camera.look);
+  const float size = std::max(glm::length(camera.position), glm::length(camera.look));
+  const double step = std::pow(10.0, std::floor(std::log10(std::max(double{size}, 1e-30))) - 5);
+  const glm::vec3 exact = camera.position + camera.look;
+  glm::vec3 focus = glm::round(sum / step) * step;
   for (const FieldView& field : fields) {
     if (field.title == camera_fields[0].title) {
       set(field, {&camera.position.x, 3}, {&defaults.position.x, 3});
     } else if (field.name == "look" && (field.written || !has_focus)) {
       set(field, {&camera.look.x, 3}, {&defaults.look.x, 3});
     } else if (field.name == "focus" && field.written) {
+      for (int i = 0; i < 3; ++i) {
+        const bool same =
+            parse_number(field.parts[static_cast<std::size_t>(i)].value).value == exact[i];
+        focus[i] = same ? exact[i] : focus[i];
+      }
       set(field, {&focus.x, 3}, {&focus.x, 3});
     } else if (field.name == "up") {
       set(field, {&camera.up.x, 3}, {&defaults.up.x, 3});

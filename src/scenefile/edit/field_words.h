@@ -55,7 +55,7 @@ inline constexpr FieldWord light_fields[] = {
     {"color", "color", "Color", FieldKind::color, {0, 10'000}, "1 1 1"},
     {"function", "attenuationCoeff", "Attenuation", FieldKind::coefficients, not_negative, "1 0 0"},
     {"position", {}, "Position", FieldKind::vector, any_number, "2 5 3"},
-    {"direction", "direction", "Direction", FieldKind::vector, any_number, "0 -1 0"},
+    {"direction", "direction", "Direction", FieldKind::vector, any_number, "-2 -5 -3"},
     {"penumbra", "penumbra", "Penumbra", FieldKind::number, not_negative, "5", 1},
     {"angle", "angle", "Angle", FieldKind::number, {0, 180, true}, "30"},
     {"width", "width", "Width", FieldKind::number, positive, "1", 2},

@@ -18,6 +18,7 @@ constexpr std::array action_rows{
     ActionRow{Action::drop_view, "Shift+V", "Camera", "remove the last view of the path"},
     ActionRow{Action::undo, "Ctrl+Z", "Edit", "undo the last edit"},
     ActionRow{Action::redo, "Ctrl+Shift+Z", "Edit", "redo it"},
+    ActionRow{Action::add, "Insert", "Edit", "add an object, a light, or a field"},
     ActionRow{Action::duplicate, "Ctrl+D", "Edit", "duplicate the selection"},
     ActionRow{Action::wrap, "Ctrl+G", "Edit", "put the selection into a new group"},
     ActionRow{Action::earlier, "Ctrl+Up", "Edit", "move the selection up in its group"},

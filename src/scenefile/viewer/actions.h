@@ -31,6 +31,7 @@ enum class Action : std::uint8_t {
   hide_selected,
   undo,
   redo,
+  add,
   duplicate,
   remove,
   earlier,

@@ -126,6 +126,11 @@ std::optional<ItemId> item_of_part(const Document& document, const EditedPart& p
   return item;
 }
 
+// In XML, the group around an object is its transblock, which has only transforms.
+bool is_block(const Document& document, ItemId item, const OutlineRow& row) {
+  return row.kind == RowKind::group && document[item].kind != ItemKind::group;
+}
+
 EditedPart part_of(const Document& document, ItemId item) {
   return {document[item].kind, document[item].range.from};
 }
@@ -140,6 +145,17 @@ std::optional<ItemId> item_of_row(const Document& document, const OutlineRow& ro
     default:
       return row.location.known() ? document.item_of(row.location) : std::nullopt;
   }
+}
+
+// The edit that makes one text of another.
+Edit change_to(const std::string& before, const std::string& after) {
+  const auto first = std::mismatch(before.begin(), before.end(), after.begin(), after.end());
+  const auto last = std::mismatch(before.rbegin(), std::make_reverse_iterator(first.first),
+                                  after.rbegin(), std::make_reverse_iterator(first.second));
+  return {{{static_cast<std::uint32_t>(first.first - before.begin()),
+            static_cast<std::uint32_t>(last.first.base() - first.first),
+            std::string(first.second, last.second.base())}},
+          {}};
 }
 
 // By the text of another program.
@@ -198,6 +214,7 @@ void save_at(Session& session, const std::string& path) {
     ask_where_to_save(session, path, wrong);
     return;
   }
+  session.editing.named = true;
   if (absolute_path(path) == absolute_path(session.path)) {
     save_scene(session);
     return;
@@ -221,9 +238,16 @@ void forget_edits(Session& session) {
 
 void start_editing(Session& session, std::string text) {
   Editing& editing = session.editing;
+  finish_edit(session);
   if (editing.text != text) {
-    forget_edits(session);
+    if (!editing.text.empty()) {
+      const Edit edit = change_to(editing.text, text);
+      editing.done.push_back({edit, inverse(editing.text, edit), editing.part, {}});
+      editing.undone.clear();
+      editing.part.reset();  // the outline says where it is now
+    }
     editing.text = std::move(text);
+    ++editing.version;
   }
   note_saved(editing, editing.text);
   editing.new_file = false;
@@ -261,6 +285,10 @@ std::optional<ItemId> selected_item(Session& session) {
     const std::optional<ItemId> item =
         item_of_row(*document, session.shown->outline.rows[*session.selected]);
     editing.part = item ? std::optional(part_of(*document, *item)) : std::nullopt;
+    if (item) {
+      editing.part->block =
+          is_block(*document, *item, session.shown->outline.rows[*session.selected]);
+    }
   }
   if (!editing.part) {
     return std::nullopt;
@@ -297,6 +325,11 @@ std::optional<std::uint32_t> row_of_selected_item(Session& session) {
     return session.selected;
   }
   // In XML, the rows of an object and of its transblock: the object's is the last.
+  if (session.editing.part->block) {
+    const auto block = std::find_if(rows.begin(), rows.end(), is_its);
+    return block == rows.end() ? std::nullopt
+                               : std::optional(static_cast<std::uint32_t>(block - rows.begin()));
+  }
   const auto found = std::find_if(rows.rbegin(), rows.rend(), is_its);
   return found == rows.rend() ? std::nullopt
                               : std::optional(static_cast<std::uint32_t>(rows.rend() - found) - 1);
@@ -388,22 +421,25 @@ bool redo_edit(Session& session) {
                         &EditStep::part_after);
 }
 
-void new_scene(Session& session, const std::string& path) {
-  before_losing_edits(session, [path](Session& s) {
+void new_scene(Session& session, const std::string& path, bool ask) {
+  before_losing_edits(session, [path, ask](Session& s) {
     s.path = path;
+    forget_edits(s);
     start_editing(s, text_of_new_scene(path));
     note_saved(s.editing, {});
     s.editing.new_file = true;
+    s.editing.named = !ask;
     s.start.opening = true;
     load_edited_text(s);
-    say(s, fmt::format("a new scene: Ctrl+S creates {}", escaped(absolute_path(path), 200)));
+    say(s, ask ? "a new scene: Ctrl+S asks where to save it"
+               : fmt::format("a new scene: Ctrl+S creates {}", escaped(absolute_path(path), 200)));
   });
 }
 
 void save_scene(Session& session) {
   finish_edit(session);
-  if (session.path == "-") {
-    ask_where_to_save(session, "scene.xml");
+  if (session.path == "-" || !session.editing.named) {
+    ask_where_to_save(session, session.path == "-" ? "scene.xml" : session.path);
     return;
   }
   if (!has_unsaved_edits(session)) {
@@ -415,7 +451,8 @@ void save_scene(Session& session) {
     session.question = Question{
         scene_name(session) + " has been changed by another program.",
         {{"Replace its changes by mine", [](Session& s, const auto&) { write_text(s, s.path); }},
-         {"Read it, and lose my edits", [now](Session& s, const auto&) { replace_edits(s, now); }},
+         {"Read it; Ctrl+Z brings my edits back",
+          [now](Session& s, const auto&) { replace_edits(s, now); }},
          {"Cancel", {}}}};
     return;
   }
@@ -450,7 +487,7 @@ void ask_about_changed_file(Session& session, std::string text) {
   const auto later = [](Session&, const std::string&) {};
   session.question = Question{scene_name(session) + " has been changed by another program.",
                               {{"Keep my edits: saving will replace its changes", keep},
-                               {"Read it, and lose my edits", read},
+                               {"Read it; Ctrl+Z brings my edits back", read},
                                {"Decide when I save", later}}};
 }
 

@@ -21,6 +21,7 @@ struct Session;
 struct EditedPart {
   ItemKind kind = ItemKind::group;  ///< only looked at for global data and the camera
   std::uint32_t from = 0;
+  bool block = false;  ///< XML: the row of the <transblock> is selected, not that of its object
 
   friend bool operator==(const EditedPart&, const EditedPart&) = default;
 };
@@ -48,6 +49,7 @@ struct Editing {
   std::string saved;          ///< the contents of the file, as last read or written
   bool differs = false;       ///< `text` from `saved`
   bool new_file = false;      ///< nothing has been read or written yet
+  bool named = true;          ///< the user has chosen the path
   std::uint64_t version = 0;  ///< changes with `text`; SceneOnShow::text_version says what is shown
   std::vector<EditStep> done;
   std::vector<EditStep> undone;  ///< redo_edit() takes the last
@@ -79,7 +81,8 @@ struct Question {
 
 // Text.
 
-/// Takes over the text of a file; forgets all edits if it differs from the current text.
+/// Takes over the text of the file. If it has been read before, what another program changed since
+/// then is an edit, which can be undone.
 void start_editing(Session& session, std::string text);
 /// Forgets the text and all edits.
 void forget_edits(Session& session);
@@ -121,8 +124,8 @@ bool redo_edit(Session& session);
 
 // Files.
 
-/// Starts a new scene that will be saved at `path`.
-void new_scene(Session& session, const std::string& path);
+/// Starts a new scene that will be saved at `path`; `ask`: after a question, which proposes it.
+void new_scene(Session& session, const std::string& path, bool ask = false);
 /// Saves the text; asks first if the file has been changed by another program.
 void save_scene(Session& session);
 /// Asks for a path, and saves the text there. `path`: a proposal; `wrong`: what was wrong with it.

@@ -28,15 +28,16 @@ void FrameLog::begin() {
   cpu_ = thread_seconds();
 }
 
-void FrameLog::end(bool drawn) {
-  entries_.push_back({wall_ - start_, wall_seconds() - wall_, thread_seconds() - cpu_, drawn});
+void FrameLog::end(bool drawn, bool traced) {
+  entries_.push_back(
+      {wall_ - start_, wall_seconds() - wall_, thread_seconds() - cpu_, drawn, traced});
 }
 
 std::string FrameLog::text() const {
-  std::string text = "at_ms\twall_ms\tcpu_ms\tdrawn\n";
+  std::string text = "at_ms\twall_ms\tcpu_ms\tdrawn\ttraced\n";
   for (const Entry& entry : entries_) {
-    text += fmt::format("{:.1f}\t{:.2f}\t{:.2f}\t{}\n", 1e3 * entry.at, 1e3 * entry.wall,
-                        1e3 * entry.cpu, entry.drawn ? 1 : 0);
+    text += fmt::format("{:.1f}\t{:.2f}\t{:.2f}\t{:d}\t{:d}\n", 1e3 * entry.at, 1e3 * entry.wall,
+                        1e3 * entry.cpu, entry.drawn, entry.traced);
   }
   return text;
 }

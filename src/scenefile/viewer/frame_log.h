@@ -14,18 +14,21 @@ class FrameLog {
 
   /// Call it after reading the input.
   void begin();
-  /// Call it before reading the input again. `drawn`: whether the frame shows the scene's picture.
-  void end(bool drawn);
+  /// Call it before reading the input again. `drawn`: whether the frame shows the scene's picture;
+  /// `traced`: whether that is the finished ray-traced one.
+  void end(bool drawn, bool traced);
 
   struct Entry {
     double at = 0;    ///< seconds since the log was made
     double wall = 0;  ///< seconds
     double cpu = 0;   ///< seconds of the processor for this thread; other programs do not count
     bool drawn = false;
+    bool traced = false;
   };
   const std::vector<Entry>& entries() const { return entries_; }
 
-  /// Lines of at, wall and cpu in milliseconds and drawn, separated by tabs; the first names them.
+  /// Lines of at, wall and cpu in milliseconds, drawn and traced, separated by tabs; the first
+  /// names them.
   std::string text() const;
 
  private:

@@ -49,6 +49,8 @@ void build_menu(Session& session);
 void build_drawing_menu(Session& session);
 void build_outline(Session& session, const GuiFrame& frame);
 void build_object(Session& session, const GuiFrame& frame);
+/// In their place while nothing is selected.
+void build_no_object(Session& session);
 void build_question(Session& session, const GuiFrame& frame);
 void build_messages(const Session& session);
 void build_status(const Session& session, const GuiFrame& frame);

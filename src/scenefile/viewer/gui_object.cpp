@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace scenefile::viewer {
@@ -59,10 +60,11 @@ class FieldRow {
                         field_.effective ? "" : ": has no effect on this type of light");
     }
     ImGui::SameLine(label_);
-    const float cross = field_.needed ? 0 : ImGui::GetFrameHeight();
+    const bool removable = field_.written && !field_.needed;
+    const float cross = removable ? ImGui::GetFrameHeight() : 0;
     width_ = ImGui::GetContentRegionAvail().x - cross - (cross > 0 ? 4 : 0);
     build_value();
-    if (!field_.needed) {
+    if (removable) {
       ImGui::SameLine(0, 4);
       build_remove();
     }
@@ -303,9 +305,32 @@ void build_items_to_add(Session& session, const Document& document, std::optiona
   }
 }
 
-// Fields that the item can have and the file has not.
+// In XML an item may have several transforms of a kind.
+void build_transforms_to_add(Session& session, const Document& document, ItemId item) {
+  // A translation comes first, so that it is not scaled or turned.
+  struct Transform {
+    const char* title;
+    std::string_view word;
+    std::optional<std::size_t> before;
+  };
+  for (const auto& [title, word, before] :
+       {Transform{"Translation", "translate", 0}, Transform{"Rotation", "rotate", std::nullopt},
+        Transform{"Scale", "scale", std::nullopt}}) {
+    if (ImGui::MenuItem(title)) {
+      make_edit(session, add_transform(document, item, word, {}, before));
+    }
+  }
+}
+
+// Fields that the item can have and the file has not, transforms first.
 void build_fields_to_add(Session& session, const Document& document, ItemId item,
                          const std::vector<FieldView>& fields) {
+  const ItemKind kind = document[item].kind;
+  if (document.is_xml() &&
+      (kind == ItemKind::primitive || kind == ItemKind::instance || kind == ItemKind::group)) {
+    build_transforms_to_add(session, document, item);
+    ImGui::Separator();
+  }
   for (const FieldView& field : fields) {
     if (!field.written && !(field.transform && document.is_xml()) &&
         ImGui::MenuItem(std::string(field.title).c_str())) {
@@ -317,36 +342,18 @@ void build_fields_to_add(Session& session, const Document& document, ItemId item
       return;
     }
   }
-  // In XML there may be several.
-  const ItemKind kind = document[item].kind;
-  if (document.is_xml() &&
-      (kind == ItemKind::primitive || kind == ItemKind::instance || kind == ItemKind::group)) {
-    // A translation comes first, so that it is not scaled or turned.
-    struct Transform {
-      const char* title;
-      std::string_view word;
-      std::optional<std::size_t> before;
-    };
-    for (const auto& [title, word, before] :
-         {Transform{"Translation", "translate", 0}, Transform{"Rotation", "rotate", std::nullopt},
-          Transform{"Scale", "scale", std::nullopt}}) {
-      if (ImGui::MenuItem(title)) {
-        make_edit(session, add_transform(document, item, word, {}, before));
-        return;
-      }
-    }
-  }
 }
 
 void build_add(Session& session, const Document& document, std::optional<ItemId> item,
                const std::vector<FieldView>& fields) {
-  if (ImGui::Button("Add...")) {
+  if (ImGui::Button("Add...") || std::exchange(session.adding, false)) {
     ImGui::OpenPopup("add");
   }
+  ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y});
   if (!ImGui::BeginPopup("add")) {
     return;
   }
-  if (item && ImGui::BeginMenu("to this")) {
+  if (item && document[*item].kind != ItemKind::root && ImGui::BeginMenu("to this")) {
     build_fields_to_add(session, document, *item, fields);
     ImGui::EndMenu();
   }
@@ -454,16 +461,31 @@ void build_object(Session& session, const GuiFrame& /*frame*/) {
   }
   ImGui::Spacing();
   ImGui::PushID(static_cast<int>(item.value_or(no_item)));
-  // In XML, the group around an object is its transblock, which has only transforms.
-  const bool block = row.kind == RowKind::group && item && document[*item].kind != ItemKind::group;
+  const bool block = session.editing.part && session.editing.part->block;
   const float label = label_width(fields);
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (fields[i].written && (fields[i].transform || !block)) {
+    const bool type = fields[i].name == "type" && row.kind == RowKind::light;
+    if ((fields[i].written || type) && (fields[i].transform || !block)) {
       FieldRow(session, fields[i], i, label).build();
     }
   }
   ImGui::PopID();
   end_field_edit(session);
+}
+
+void build_no_object(Session& session) {
+  // Large scenes are only read as documents once they are edited.
+  if (!session.adding && !ImGui::IsPopupOpen("add")) {
+    session.adding = ImGui::Button("Add...");
+  } else if (edited_document(session) != nullptr) {
+    const Document document = *session.editing.document;  // edits replace it
+    build_add(session, document, std::nullopt, {});
+  } else {
+    session.adding = false;
+    say(session, "this scene cannot be edited: " + session.editing.refusal, true);
+  }
+  ImGui::SameLine();
+  ImGui::TextDisabled("%s", "click something to edit it");
 }
 
 void build_question(Session& session, const GuiFrame& frame) {
@@ -487,8 +509,9 @@ void build_question(Session& session, const GuiFrame& frame) {
     if (ImGui::IsWindowAppearing()) {
       ImGui::SetKeyboardFocusHere();
     }
-    if (ImGui::InputText("##path", path.data(), path.size(),
-                         ImGuiInputTextFlags_EnterReturnsTrue)) {
+    if (ImGui::InputText(
+            "##path", path.data(), path.size(),
+            ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll)) {
       answer = 0;
     }
     session.question->path = path.data();

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -258,20 +259,29 @@ void build_rows(Session& session) {
 
 void build_outline(Session& session, const GuiFrame& frame) {
   const float room = ImGui::GetContentRegionAvail().y;
-  const float object = session.selected ? std::floor(0.6F * room) : 0;
+  const float object = session.selected
+                           ? std::floor(0.6F * room)
+                           : ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().ItemSpacing.y;
   ImGui::BeginChild("rows", {0, -object});
   build_rows(session);
   ImGui::EndChild();
-  if (session.selected) {
-    ImGui::Separator();
-    if (session.keyboard_in_fields && !session.keyboard_was_in_fields) {
-      ImGui::SetNextWindowFocus();
-    }
-    session.keyboard_was_in_fields = session.keyboard_in_fields;
-    ImGui::BeginChild("selected");
-    build_object(session, frame);
-    ImGui::EndChild();
+  ImGui::Separator();
+  const bool enters = session.keyboard_in_fields && !session.keyboard_was_in_fields;
+  session.keyboard_was_in_fields = session.keyboard_in_fields;
+  if (enters) {
+    ImGui::SetNextWindowFocus();
   }
+  ImGui::BeginChild("selected");
+  if (enters) {
+    ImGui::NavInitWindow(ImGui::GetCurrentWindow(), true);
+    ImGui::GetCurrentContext()->NavDisableHighlight = false;
+  }
+  if (session.selected) {
+    build_object(session, frame);
+  } else {
+    build_no_object(session);
+  }
+  ImGui::EndChild();
 }
 
 }  // namespace scenefile::viewer

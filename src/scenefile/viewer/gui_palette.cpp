@@ -91,9 +91,6 @@ void build_palette(Session& session, const GuiFrame& frame) {
     ImGui::PopID();
   }
   ImGui::EndChild();
-  if (ImGui::IsKeyPressed(ImGuiKey_Escape)) {
-    session.palette = false;  // the field would keep the key
-  }
   ImGui::End();
   if (chosen != nullptr) {
     session.palette = false;

@@ -196,6 +196,7 @@ struct Session {
   std::optional<GraspedHandle> grasped;  ///< while Drag::handle
   bool keyboard_in_fields = false;       ///< the keyboard belongs to the fields of the selection
   bool keyboard_was_in_fields = false;   ///< in the last frame
+  bool adding = false;                   ///< the list of what can be added is to be opened
 
   StartPanel start;
 

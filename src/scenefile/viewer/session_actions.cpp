@@ -67,9 +67,20 @@ void edit_scene(Session& session, Action action) {
         say(session, "there is nothing to redo");
       }
       break;
-    case Action::duplicate:
-      edit_selection(session, duplicate_item);
+    case Action::add:
+      session.adding = true;
+      session.settings.outline = true;
+      session.picture_only = false;
+      session.keyboard_in_fields = true;
       break;
+    case Action::duplicate: {
+      const bool block = selected_item(session) && session.editing.part->block;
+      edit_selection(session, duplicate_item);
+      if (block) {
+        session.editing.part->block = true;
+      }
+      break;
+    }
     case Action::remove:
       edit_selection(session, remove_item);
       break;
@@ -204,11 +215,11 @@ void escape(Session& session) {
     answer_question(session, session.question->answers.size() - 1);
   } else if (session.palette) {
     session.palette = false;
-  } else if (session.keyboard_in_fields) {
-    session.keyboard_in_fields = false;
   } else if (session.editing.progress) {
     cancel_edit(session);
     session.pointer.drag = Drag::none;
+  } else if (session.keyboard_in_fields) {
+    session.keyboard_in_fields = false;
   } else if (session.help) {
     session.help = false;
   } else if (session.start.open) {
@@ -354,7 +365,7 @@ void perform_on_picture(Session& session, Action action) {
       }
       break;
     case Action::new_scene:
-      new_scene(session, free_name("scene", ".xml"));
+      new_scene(session, free_name("scene", ".xml"), true);
       break;
     case Action::open:
       if (session.start.open) {

@@ -40,6 +40,7 @@ constexpr std::array named_keys{
     NamedKey{GLFW_KEY_ENTER, "Enter"},
     NamedKey{GLFW_KEY_KP_ENTER, "Enter"},
     NamedKey{GLFW_KEY_DELETE, "Delete"},
+    NamedKey{GLFW_KEY_INSERT, "Insert"},
     NamedKey{GLFW_KEY_UP, "Up"},
     NamedKey{GLFW_KEY_DOWN, "Down"},
     NamedKey{GLFW_KEY_LEFT, "Left"},
@@ -136,7 +137,9 @@ class Window {
   // Input from the user or the script.
   void pass_key(int key, int scancode, int action, int modifiers);
   void release_keys();
+  bool types_in_field() const;
   void on_key(const KeyPress& key, bool down);
+  void do_shortcuts();
   void on_pointer(const glm::dvec2& at);
   void on_button(int button, bool down, const KeyPress& with);
   void on_wheel(double steps, bool into_picture);
@@ -183,6 +186,7 @@ class Window {
   std::array<bool, 3> buttons_{};
   std::vector<int> pressed_keys_;                  // since the last frame
   std::vector<std::array<int, 3>> released_keys_;  // of these: key, scancode, modifiers
+  std::vector<KeyPress> shortcuts_;                // see do_shortcuts()
   glm::dvec2 pointer_{-1};
   std::string clipboard_;  // what was copied last
   FrameLog log_;           // of scripts
@@ -342,11 +346,20 @@ void Window::install_callbacks() {
     of(w).on_drop({paths, paths + count});
   });
   glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { of(w).stir(); });
+  glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) { of(w).stir(); });
 }
 
 // Older versions of ImGui only look at which keys are down when a frame begins: a key that is
 // pressed and released between two frames must stay down until then.
 void Window::pass_key(int key, int scancode, int action, int modifiers) {
+  // In the lists of this version of ImGui only Space chooses.
+  if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) {
+    if (action == GLFW_RELEASE) {
+      pass_key(GLFW_KEY_SPACE, 0, action, modifiers);
+    } else if (!ImGui::GetIO().WantTextInput && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
+      key = GLFW_KEY_SPACE;
+    }
+  }
   const bool pressed =
       std::find(pressed_keys_.begin(), pressed_keys_.end(), key) != pressed_keys_.end();
   if (action == GLFW_RELEASE && pressed) {
@@ -368,26 +381,65 @@ void Window::release_keys() {
   }
 }
 
+// Closes all popups, or only the innermost: a menu with its submenus.
+void close_popups(bool all) {
+  const ImVector<ImGuiPopupData>& open = ImGui::GetCurrentContext()->OpenPopupStack;
+  int level = all ? 0 : open.Size - 1;
+  while (level > 0 && open[level].Window != nullptr &&
+         (open[level].Window->Flags & ImGuiWindowFlags_ChildMenu) != 0) {
+    --level;
+  }
+  if (open.Size > 0) {
+    ImGui::ClosePopupToLevel(level, true);
+  }
+}
+
+// Of the object's fields, not of a question, the palette or the panel that opens scenes.
+bool Window::types_in_field() const {
+  return ImGui::GetIO().WantTextInput && !session_.question && !session_.palette &&
+         !session_.start.open;
+}
+
+// Who gets a key: a question, a field in which text is typed, an open list, the fields of the
+// selection, and then the window. Shortcuts with Ctrl are always the window's, except for those
+// that fields have too.
 void Window::on_key(const KeyPress& key, bool down) {
   stir();
-  const bool typing = ImGui::GetIO().WantTextInput || (session_.keyboard_in_fields && !key.control);
-  if (down && !session_.question && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
-    if (key.name == "Escape") {  // closes the innermost one
-      ImGui::ClosePopupToLevel(std::max(0, ImGui::GetCurrentContext()->OpenPopupStack.Size - 1),
-                               true);
+  if (!down) {
+    key_released(session_, key.name);
+    return;
+  }
+  const bool typing = ImGui::GetIO().WantTextInput;
+  const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+  if (key.name == "Escape") {
+    ImGui::ClearActiveID();
+    if (types_in_field()) {
+      cancel_edit(session_);
+    } else if (popup && !session_.question) {
+      close_popups(false);
+    } else {
+      key_pressed(session_, key);
     }
     return;
   }
-  if (down && key.name == "Escape" && session_.editing.progress) {
-    ImGui::ClearActiveID();  // the widget is released, too
-  }
-  if (typing && !(down && key.name == "Escape" && !ImGui::GetIO().WantTextInput)) {
-    return;
-  }
-  if (down) {
+  const bool of_field = !key.control || (typing && (key.name == "C" || key.name == "Z"));
+  if (session_.question || !(typing || popup || session_.keyboard_in_fields)) {
     key_pressed(session_, key);
-  } else {
-    key_released(session_, key.name);
+  } else if (!of_field && action_of(key) != nullptr) {
+    if (types_in_field()) {
+      pass_key(GLFW_KEY_ENTER, 0, GLFW_PRESS, 0);  // the field takes over what was typed
+      pass_key(GLFW_KEY_ENTER, 0, GLFW_RELEASE, 0);
+    }
+    shortcuts_.push_back(key);
+  }
+}
+
+// After a frame, in which fields have taken over what was typed.
+void Window::do_shortcuts() {
+  for (const KeyPress& key : std::exchange(shortcuts_, {})) {
+    close_popups(true);
+    key_pressed(session_, key);
+    stir();
   }
 }
 
@@ -658,6 +710,7 @@ WindowResult Window::run() {
       draw_frame(false);
       follow_session();
       release_keys();
+      do_shortcuts();
     }
     if (!session_.copied.empty()) {
       clipboard_ = std::exchange(session_.copied, {});
@@ -672,7 +725,8 @@ WindowResult Window::run() {
       stir();
     }
     if (scripted()) {
-      log_.end(canvas_->drawn().name() != 0);
+      log_.end(canvas_->drawn().name() != 0 || session_.traced,
+               session_.traced && session_.traced->complete);
     }
   }
   remember_settings();

@@ -140,8 +140,8 @@ class Document {
   std::optional<ItemId> item_of(Location place) const;
   /// The fields that the item has or can have.
   std::vector<FieldView> fields(ItemId item) const;
-  /// The range of an item with the comments that belong to it: after it on its last line, and on
-  /// the lines directly above.
+  /// The range of an item with the comments that belong to it: after it on its last line if it
+  /// begins a line, and on the lines directly above.
   TextRange with_comments(ItemId item) const;
   /// The templates that can be instantiated in a group: those declared before it.
   std::vector<std::string> templates_for(ItemId group) const;

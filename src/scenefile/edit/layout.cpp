@@ -160,7 +160,9 @@ TextRange Layout::with_remarks(TextRange range, std::size_t limit) const {
     }
     start = limit + open;
   }
-  return {static_cast<std::uint32_t>(start), static_cast<std::uint32_t>(after_remarks(range.to))};
+  // A comment after several on a line is about the line.
+  const std::size_t end = starts_line(range.from) ? after_remarks(range.to) : range.to;
+  return {static_cast<std::uint32_t>(start), static_cast<std::uint32_t>(end)};
 }
 
 Piece Layout::piece_of(TextRange range) const {

@@ -62,8 +62,8 @@ class Layout {
   Insertion insert_children(PartId element, PartId previous, std::span<const Piece> pieces) const;
   /// Removes a range, and its whole line if nothing else is on it.
   TextChange remove_element(TextRange range) const;
-  /// The range of an element with the comments that belong to it: after it on its last line, and on
-  /// the lines directly above, but not before `limit`.
+  /// The range of an element with the comments that belong to it: after it on its last line if it
+  /// begins a line, and on the lines directly above, but not before `limit`.
   TextRange with_remarks(TextRange range, std::size_t limit) const;
   /// Sets an attribute to an escaped value; `after`: the attributes that come before it.
   TextChange set_attribute(PartId element, std::string_view name, std::string_view value,

@@ -249,10 +249,9 @@ ExitCode diff_images(const Options& options, std::vector<PictureInput> inputs, C
                                : heading(a, b) + "\n" + remarks_text(a, b) +
                                      measures_text(found.measures, options.pixel_threshold) +
                                      for_terminal(verdict_text(found, options));
-  ExitCode status = found.broken.empty() ? ExitCode::fine : ExitCode::findings;
-  status = worse(status, write_maps(options, found.reference_of(a.picture.texture),
-                                    found.test_of(b.picture.texture), found, context));
-  return text.empty() ? status : worse(status, answer(text));
+  const ExitCode written = write_maps(options, found.reference_of(a.picture.texture),
+                                      found.test_of(b.picture.texture), found, context);
+  return answer_comparison(options, found.broken.empty(), written, text);
 }
 
 }  // namespace

@@ -151,9 +151,8 @@ ExitCode diff_paths(Options options, std::span<const LoadedPicture> pictures,
   const std::string text = options.json    ? json_of(pictures, scene, judged, same)
                            : options.quiet ? std::string()
                                            : text_of(options, pictures, judged);
-  ExitCode status = same ? ExitCode::fine : ExitCode::findings;
-  status = worse(status, write_pictures_of(options, truth, mine, judged.mine, context));
-  return text.empty() ? status : worse(status, answer(text));
+  return answer_comparison(options, same,
+                           write_pictures_of(options, truth, mine, judged.mine, context), text);
 }
 
 }  // namespace scenefile::app

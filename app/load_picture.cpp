@@ -126,4 +126,11 @@ ExitCode save_maps(const Options& options, const Texture& map,
   return status;
 }
 
+ExitCode answer_comparison(const Options& options, bool same, ExitCode written,
+                           const std::string& text) {
+  const ExitCode status = worse(written, same ? ExitCode::fine : ExitCode::findings);
+  const bool silent = text.empty() || (options.json && written != ExitCode::fine);
+  return silent ? status : worse(status, answer(text));
+}
+
 }  // namespace scenefile::app

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ void write_failing_files(const TempFolder& folder) {
   folder.write("binary.glb", "glTF");
   folder.write("map.csv", "one,two,three\n");
   folder.write("class/ann/a.png", "no picture");
+  std::filesystem::create_symlink("/dev/full", folder.path() + "/full.png");
   folder.write("refs/a.png", "no picture");
   ASSERT_EQ(run_program({"render", "good.xml", "-o", "good.png", "--size", "8x6", "--quiet"},
                         {.folder = folder.path()})
@@ -130,6 +132,10 @@ const std::vector<FailingRun> failing_runs{
     {{"diff", "good.png", "good.png", "--scene", "none.xml"}, 3},
     {{"diff", "good.png", "good.png", "--scene", "broken.xml"}, 1},
     {{"diff", "good.png", "good.png", "--heatmap", "none/h.png"}, 3},
+    {{"diff", "good.png", "good.png", "--heatmap", "full.png"}, 3},
+    {{"diff", "good.png", "--scene", "good.xml", "--mode", "path", "--time", "0.01", "--sheet",
+      "full.png"},
+     3},
     {{"diff", "good.png", "good.png", "--min-psnr", "many"}, 2},
     {{"diff", "good.png", "good.png", "--mode", "path"}, 2},
     {{"grade", "none", "--references", "refs"}, 3},

@@ -1,13 +1,18 @@
 #include "scenefile/compare/flip.h"
 
-#include "scenefile/compare/window.h"
+#include "scenefile/compare/planes.h"
 
 #include <glm/glm.hpp>
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <numbers>
+#include <vector>
 
 namespace scenefile {
 
@@ -17,7 +22,7 @@ using std::numbers::pi;
 
 // Exponent and knee of the color error (sections 4.1.4 and 4.2.2 of the paper).
 constexpr double color_exponent = 0.7;
-constexpr double knee = 0.4;             // share of the largest color error ...
+constexpr double knee_share = 0.4;       // share of the largest color error ...
 constexpr double knee_value = 0.95;      // ... that is mapped to this
 constexpr double feature_width = 0.082;  // degrees
 
@@ -27,40 +32,27 @@ constexpr std::array<std::array<double, 3>, 3> xyz_rows{
      {2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897},
      {1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382}}};
 
-glm::dmat3 matrix_to_xyz() {
-  glm::dmat3 m;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      m[column][row] = xyz_rows[row][column];
-    }
-  }
-  return m;
-}
-
-// Rows are those of a matrix whose columns glm stores.
-ColorMatrix by_rows(const glm::dmat3& m) {
-  ColorMatrix result{};
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      result[row][column] = static_cast<float>(m[column][row]);
-    }
-  }
-  return result;
-}
+// By rows.
+using ColorMatrix = std::array<std::array<float, 3>, 3>;
 
 // From linear sRGB to XYZ relative to white, and back.
 struct ColorSpaces {
-  ColorMatrix xyz;
-  ColorMatrix rgb;
+  ColorMatrix xyz{};
+  ColorMatrix rgb{};
 
   ColorSpaces() {
-    glm::dmat3 m = matrix_to_xyz();
-    const glm::dvec3 white = m * glm::dvec3(1);
-    for (int column = 0; column < 3; ++column) {
-      m[column] /= white;
+    glm::dmat3 m;  // transposed
+    for (int row = 0; row < 3; ++row) {
+      const glm::dvec3 of_row(xyz_rows[row][0], xyz_rows[row][1], xyz_rows[row][2]);
+      m[row] = of_row / (of_row.x + of_row.y + of_row.z);
     }
-    xyz = by_rows(m);
-    rgb = by_rows(glm::inverse(m));
+    const glm::dmat3 inverse = glm::inverse(m);
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 3; ++column) {
+        xyz[row][column] = static_cast<float>(m[row][column]);
+        rgb[row][column] = static_cast<float>(inverse[row][column]);
+      }
+    }
   }
 };
 
@@ -128,7 +120,8 @@ std::vector<Filter> seen(const std::vector<Sensitivity>& sum, double pixels_per_
 struct Filters {
   std::array<std::vector<Filter>, 3> channels;  // of YCxCz
   Taps smooth, edge, point;
-  int reach = 0;  // of the widest, in pixels
+  int reach = 0;                    // of the widest, in pixels
+  std::array<float, 256> linear{};  // the values of 8-bit sRGB
 
   explicit Filters(double pixels_per_degree)
       : channels{seen({{1, 0.0047}}, pixels_per_degree), seen({{1, 0.0053}}, pixels_per_degree),
@@ -141,6 +134,9 @@ struct Filters {
     for (int x = -radius; x <= radius; ++x) {
       edge[x + radius] *= -x;
       point[x + radius] *= x * x / (sigma * sigma) - 1;
+    }
+    for (std::size_t i = 0; i < linear.size(); ++i) {
+      linear[i] = static_cast<float>(linear_from_srgb(static_cast<double>(i) / 255));
     }
     smooth = scaled_taps(taps, 1 / sum_of(taps));
     // Of lightness in [0, 1]; Y is 116 times as much, and its offset has no edges.
@@ -155,112 +151,188 @@ struct Filters {
   }
 };
 
-// One of the pictures, row by row: what FLIP compares.
-class SeenPicture {
- public:
-  SeenPicture(const Texture& picture, const Filters& filters)
-      : picture_(picture),
-        filters_(filters),
-        input_(3, PaddedRow(picture.width, filters.reach)),
-        smooth_(rows_of(filters.smooth)),
-        edge_(rows_of(filters.edge)),
-        point_(rows_of(filters.point)),
-        outputs_(6, std::vector<float>(picture.width)) {
-    for (std::size_t i = 0; i < channels_.size(); ++i) {
-      for (const Filter& filter : filters.channels[i]) {
-        channels_[i].push_back(rows_of(filter.across));
-      }
-    }
-    for (std::size_t i = 0; i < linear_.size(); ++i) {
-      linear_[i] = static_cast<float>(linear_from_srgb(static_cast<double>(i) / 255));
-    }
-  }
+// log2(x) for normal x > 0, with an error of 2e-7.
+inline float log_2(float x) {
+  const auto bits = std::bit_cast<std::int32_t>(x);
+  // x = 2^exponent * m with m in [sqrt(1/2), sqrt(2))
+  const std::int32_t exponent = (bits - 0x3f3504f3) >> 23;
+  const auto m = std::bit_cast<float>(bits - exponent * (1 << 23));
+  // log(m) = 2 artanh(s)
+  const float s = (m - 1) / (m + 1);
+  const float q = s * s;
+  constexpr float two_over_log_2 = 2.88539008F;
+  const float series = 1 + q * (1 / 3.0F + q * (1 / 5.0F + q * (1 / 7.0F + q * (1 / 9.0F))));
+  return static_cast<float>(exponent) + two_over_log_2 * s * series;
+}
 
-  void take(const ColorSpaces& spaces, int y, const std::vector<Span>& spans) {
-    const Rows3 rows{input_[0].pixels(), input_[1].pixels(), input_[2].pixels()};
-    const std::uint8_t* p = picture_.texel(0, y);
-    for (int x = 0; x < picture_.width; ++x, p += 3) {
-      for (std::size_t i = 0; i < rows.size(); ++i) {
-        rows[i][x] = linear_[p[i]];
-      }
-    }
-    rgb_to_ycxcz(spaces.xyz, {0, picture_.width}, rows);
-    for (std::size_t i = 0; i < channels_.size(); ++i) {
-      input_[i].repeat_edges();
-      for (FilteredRows& filtered : channels_[i]) {
-        filtered.take(y, input_[i], spans);
-      }
-    }
-    for (FilteredRows* filtered : {&smooth_, &edge_, &point_}) {
-      filtered->take(y, input_[0], spans);
-    }
-  }
+// 2^x for x in [-126, 127], with a relative error of 2e-7.
+inline float exp_2(float x) {
+  constexpr float to_integer = 12582912.0F;  // 1.5 * 2^23: the sum has no fraction
+  const float whole = (x + to_integer) - to_integer;
+  const float t = 0.693147181F * (x - whole);
+  const float power =
+      1 +
+      t * (1 + t * (1 / 2.0F +
+                    t * (1 / 6.0F + t * (1 / 24.0F + t * (1 / 120.0F +
+                                                          t * (1 / 720.0F + t * (1 / 5040.0F)))))));
+  return power * std::bit_cast<float>((static_cast<std::int32_t>(whole) + 127) * (1 << 23));
+}
 
-  // Row y, when all rows that the filters need are taken.
-  FlipRow row(const ColorSpaces& spaces, int y, const std::vector<Span>& spans) {
-    const Rows3 lab{outputs_[0].data(), outputs_[1].data(), outputs_[2].data()};
-    for (std::size_t i = 0; i < channels_.size(); ++i) {
-      WeightedRows sum;
-      for (std::size_t k = 0; k < channels_[i].size(); ++k) {
-        channels_[i][k].add_around(y, filters_.channels[i][k].down, sum);
-      }
-      add_up(sum, spans, lab[i]);
-    }
-    for (const Span& span : spans) {
-      ycxcz_to_hunt_lab(spaces.xyz, spaces.rgb, span, lab);
-    }
-    detect(y, edge_, filters_.edge, spans, outputs_[3].data());
-    detect(y, point_, filters_.point, spans, outputs_[4].data());
-    return {lab, outputs_[3].data(), outputs_[4].data()};
-  }
+// x^exponent for x in [0, 2^100] and an exponent in [0, 1]. Unlike std::pow, compilers vectorize
+// it.
+inline float power(float x, float exponent) {
+  const float result = exp_2(exponent * log_2(std::max(x, 1e-30F)));
+  return x > 0 ? result : 0;
+}
 
- private:
-  FilteredRows rows_of(const Taps& across) const {
-    return {picture_.width, picture_.height, filters_.reach, across};
-  }
+inline float limited(float value) {
+  return std::min(std::max(value, 0.0F), 1.0F);
+}
 
-  static void add_up(const WeightedRows& rows, const std::vector<Span>& spans, float* to) {
-    for (const Span& span : spans) {
-      rows.add_up(span, to);
-    }
-  }
+inline float row_times(const std::array<float, 3>& row, float x, float y, float z) {
+  return row[0] * x + row[1] * y + row[2] * z;
+}
 
-  // The length of the gradient at each pixel, by the same filter in both directions.
-  void detect(int y, const FilteredRows& derivative, const Taps& derivative_taps,
-              const std::vector<Span>& spans, float* to) {
-    WeightedRows across;
-    derivative.add_around(y, filters_.smooth, across);
-    WeightedRows down;
-    smooth_.add_around(y, derivative_taps, down);
-    float* const other = outputs_[5].data();
-    for (const Span& span : spans) {
-      across.add_up(span, to);
-      down.add_up(span, other);
-      lengths(span, to, other);
-    }
-  }
+inline float lab_curve(float t) {
+  constexpr float delta = 6.0F / 29;
+  constexpr float bend = delta * delta * delta;
+  const float root = power(std::max(t, bend), 1 / 3.0F);
+  return t > bend ? root : t / (3 * delta * delta) + 4.0F / 29;
+}
 
-  const Texture& picture_;
-  const Filters& filters_;
-  std::vector<PaddedRow> input_;                       // in YCxCz
-  std::array<std::vector<FilteredRows>, 3> channels_;  // of YCxCz
-  FilteredRows smooth_, edge_, point_;                 // of Y
-  std::vector<std::vector<float>> outputs_;
-  std::array<float, 256> linear_{};
+// Three planes of a picture in one color space.
+using Planes = std::array<Plane, 3>;
+
+// From linear sRGB to the opponent space YCxCz, in place.
+void rgb_to_ycxcz(const ColorSpaces& spaces, Planes& planes) {
+  const ColorMatrix xyz = spaces.xyz;
+  auto& [first, second, third] = planes;
+  for (std::size_t i = 0; i < first.values.size(); ++i) {
+    const float r = first.values[i];
+    const float g = second.values[i];
+    const float b = third.values[i];
+    const float x = row_times(xyz[0], r, g, b);
+    const float y = row_times(xyz[1], r, g, b);
+    const float z = row_times(xyz[2], r, g, b);
+    first.values[i] = 116 * y - 16;
+    second.values[i] = 500 * (x - y);
+    third.values[i] = 200 * (y - z);
+  }
+}
+
+// From YCxCz to CIELAB with chroma that fades with lightness (Hunt effect), in place. Colors are
+// limited to sRGB.
+void ycxcz_to_hunt_lab(const ColorSpaces& spaces, Planes& planes) {
+  const ColorMatrix xyz = spaces.xyz;
+  const ColorMatrix rgb = spaces.rgb;
+  auto& [first, second, third] = planes;
+  for (std::size_t i = 0; i < first.values.size(); ++i) {
+    const float y = (first.values[i] + 16) / 116;
+    const float x = y + second.values[i] / 500;
+    const float z = y - third.values[i] / 200;
+    const float r = limited(row_times(rgb[0], x, y, z));
+    const float g = limited(row_times(rgb[1], x, y, z));
+    const float b = limited(row_times(rgb[2], x, y, z));
+    const float fx = lab_curve(row_times(xyz[0], r, g, b));
+    const float fy = lab_curve(row_times(xyz[1], r, g, b));
+    const float fz = lab_curve(row_times(xyz[2], r, g, b));
+    const float lightness = 116 * fy - 16;
+    first.values[i] = lightness;
+    second.values[i] = 0.01F * lightness * 500 * (fx - fy);
+    third.values[i] = 0.01F * lightness * 200 * (fy - fz);
+  }
+}
+
+// A tile of one of the pictures: what FLIP compares.
+struct SeenTile {
+  Planes lab;
+  Plane edges;
+  Plane points;
 };
 
-// Maps color errors to [0, 1]; the largest is that between green and blue.
-ColorErrorCurve error_curve(const ColorSpaces& spaces) {
-  std::array<float, 2> r{0, 0};
-  std::array<float, 2> g{1, 0};
-  std::array<float, 2> b{0, 1};
-  const Rows3 colors{r.data(), g.data(), b.data()};
-  rgb_to_ycxcz(spaces.xyz, {0, 2}, colors);
-  ycxcz_to_hunt_lab(spaces.xyz, spaces.rgb, {0, 2}, colors);
-  const double hyab = std::abs(r[0] - r[1]) + std::hypot(g[0] - g[1], b[0] - b[1]);
-  const double largest = std::pow(hyab, color_exponent);
-  return {static_cast<float>(color_exponent), static_cast<float>(knee * largest),
-          static_cast<float>(knee_value), static_cast<float>(largest)};
+// The length of the gradient at each pixel, by the same filter in both directions.
+Plane detected(const Plane& lightness, const PlaneTile& tile, const Taps& derivative,
+               const Taps& smooth) {
+  Plane across = filtered(lightness, tile, derivative, smooth);
+  const Plane down = filtered(lightness, tile, smooth, derivative);
+  for (std::size_t i = 0; i < across.values.size(); ++i) {
+    const float x = across.values[i];
+    const float y = down.values[i];
+    across.values[i] = std::sqrt(x * x + y * y);
+  }
+  return across;
+}
+
+SeenTile seen_tile(const Texture& picture, const PlaneTile& tile, const Filters& filters,
+                   const ColorSpaces& spaces) {
+  const Plane empty = tile.with_surroundings();
+  Planes input{empty, empty, empty};
+  for (int y = 0; y < empty.height; ++y) {
+    for (int x = 0; x < empty.width; ++x) {
+      const std::uint8_t* const p = tile.texel(picture, x, y);
+      for (std::size_t i = 0; i < input.size(); ++i) {
+        input[i].row(y)[x] = filters.linear[p[i]];
+      }
+    }
+  }
+  rgb_to_ycxcz(spaces, input);
+  const auto seen_channel = [&](std::size_t channel) {
+    const std::vector<Filter>& sum = filters.channels[channel];
+    Plane result = filtered(input[channel], tile, sum[0].across, sum[0].down);
+    for (std::size_t k = 1; k < sum.size(); ++k) {
+      const Plane other = filtered(input[channel], tile, sum[k].across, sum[k].down);
+      std::transform(result.values.begin(), result.values.end(), other.values.begin(),
+                     result.values.begin(), std::plus<>());
+    }
+    return result;
+  };
+  SeenTile seen{{seen_channel(0), seen_channel(1), seen_channel(2)},
+                detected(input[0], tile, filters.edge, filters.smooth),
+                detected(input[0], tile, filters.point, filters.smooth)};
+  ycxcz_to_hunt_lab(spaces, seen.lab);
+  return seen;
+}
+
+// FLIP's mapping of color errors to [0, 1] (section 4.2.2); the largest is that between green and
+// blue.
+struct ColorErrorCurve {
+  float knee = 1;   // of the color error raised to color_exponent
+  float below = 1;  // slopes below and above the knee
+  float above = 1;
+
+  explicit ColorErrorCurve(const ColorSpaces& spaces) {
+    Planes colors{Plane(2, 1), Plane(2, 1), Plane(2, 1)};
+    colors[1].values[0] = colors[2].values[1] = 1;
+    rgb_to_ycxcz(spaces, colors);
+    ycxcz_to_hunt_lab(spaces, colors);
+    const auto difference = [&](int i) { return colors[i].values[0] - colors[i].values[1]; };
+    const double hyab = std::abs(difference(0)) + std::hypot(difference(1), difference(2));
+    const double largest = std::pow(hyab, color_exponent);
+    knee = static_cast<float>(knee_share * largest);
+    below = static_cast<float>(knee_value / (knee_share * largest));
+    above = static_cast<float>((1 - knee_value) / (largest - knee_share * largest));
+  }
+};
+
+// The error of each pixel, in [0, 1]; the exponent of feature errors is 1/2 (section 4.3).
+Plane flip_errors(const ColorErrorCurve& given, const SeenTile& p, const SeenTile& q) {
+  const ColorErrorCurve curve = given;
+  Plane errors = p.edges;
+  for (std::size_t i = 0; i < errors.values.size(); ++i) {
+    const float l = std::abs(p.lab[0].values[i] - q.lab[0].values[i]);
+    const float u = p.lab[1].values[i] - q.lab[1].values[i];
+    const float v = p.lab[2].values[i] - q.lab[2].values[i];
+    // Raised to the exponent: the metric HyAB.
+    const float hyab = power(l + std::sqrt(u * u + v * v), static_cast<float>(color_exponent));
+    const float color = hyab < curve.knee
+                            ? curve.below * hyab
+                            : static_cast<float>(knee_value) + curve.above * (hyab - curve.knee);
+    const float edges = std::abs(p.edges.values[i] - q.edges.values[i]);
+    const float points = std::abs(p.points.values[i] - q.points.values[i]);
+    const float feature = std::sqrt(std::max(edges, points) * 0.707106781F);
+    errors.values[i] = limited(power(color, 1 - limited(feature)));
+  }
+  return errors;
 }
 
 }  // namespace
@@ -271,38 +343,21 @@ FlipMap flip(const Texture& reference, const Texture& test, double pixels_per_de
     map.mean = map.max = reference.empty() && test.empty() ? 0 : 1;
     return map;
   }
-  const int width = test.width;
-  const int height = test.height;
   const ColorSpaces spaces;
-  const ColorErrorCurve curve = error_curve(spaces);
+  const ColorErrorCurve curve(spaces);
   const Filters filters(pixels_per_degree);
-  const NearDifferences near(reference, test, filters.reach, filters.reach);
-  const NearDifferences needed = near.grown_down(filters.reach);
-  SeenPicture a(reference, filters);
-  SeenPicture b(test, filters);
-  map.errors.resize(static_cast<std::size_t>(width) * height);
-  for (int taken = 0; taken < height + filters.reach; ++taken) {
-    if (taken < height) {
-      if (const std::vector<Span> spans = needed.spans(taken); !spans.empty()) {
-        a.take(spaces, taken, spans);
-        b.take(spaces, taken, spans);
-      }
+  map.errors.resize(static_cast<std::size_t>(test.width) * test.height);
+  for (const PlaneTile& tile : differing_tiles(reference, test, filters.reach)) {
+    const Plane errors = flip_errors(curve, seen_tile(reference, tile, filters, spaces),
+                                     seen_tile(test, tile, filters, spaces));
+    for (int y = 0; y < tile.height; ++y) {
+      std::copy_n(errors.row(y), tile.width,
+                  map.errors.begin() + std::ptrdiff_t(tile.y + y) * test.width + tile.x);
     }
-    const int y = taken - filters.reach;
-    const std::vector<Span> spans = y >= 0 ? near.spans(y) : std::vector<Span>();
-    if (spans.empty()) {
-      continue;
-    }
-    const FlipRow row_a = a.row(spaces, y, spans);
-    const FlipRow row_b = b.row(spaces, y, spans);
-    float* const errors = map.errors.data() + static_cast<std::size_t>(y) * width;
-    for (const Span& span : spans) {
-      flip_errors(curve, row_a, row_b, span, errors);
-      for (int x = span.begin; x < span.end; ++x) {
-        map.mean += errors[x];
-        map.max = std::max<double>(map.max, errors[x]);
-      }
-    }
+  }
+  for (const float error : map.errors) {
+    map.mean += error;
+    map.max = std::max<double>(map.max, error);
   }
   map.mean /= static_cast<double>(map.errors.size());
   return map;

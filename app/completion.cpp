@@ -31,16 +31,6 @@ std::string_view brief(std::string_view help) {
   return help.ends_with('.') ? help.substr(0, help.size() - 1) : help;
 }
 
-std::vector<const OptionRow*> options_of(const Command& command) {
-  std::vector<const OptionRow*> result;
-  for (const OptionRow& row : option_table()) {
-    if ((row.commands & command.bit) != 0) {
-      result.push_back(&row);
-    }
-  }
-  return result;
-}
-
 std::vector<std::string_view> help_topics() {
   std::vector<std::string_view> topics(command_names().begin(), command_names().end());
   topics.insert(topics.end(), {"codes", "causes", "limits", "vocabulary"});

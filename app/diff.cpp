@@ -147,19 +147,8 @@ std::string json_text(const LoadedPicture& a, const LoadedPicture& b, const Load
                       const PictureComparison* found) {
   Json json;
   begin_document(json, "diff");
-  for (const auto& [key, loaded] : {std::pair("a", &a), std::pair("b", &b)}) {
-    json.begin_object(key);
-    json.add("file", loaded->path);
-    if (loaded->error.empty()) {
-      json.add("width", loaded->picture.texture.width);
-      json.add("height", loaded->picture.texture.height);
-      json.add("jpeg", loaded->picture.jpeg);
-      json.add("not_finite", loaded->picture.not_finite);
-    } else {
-      json.add("error", loaded->error);
-    }
-    json.end_object();
-  }
+  add_picture(json, "a", a);
+  add_picture(json, "b", b);
   if (scene != nullptr) {
     json.key("scene");
     json.raw(scene_json(*scene));

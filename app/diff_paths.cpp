@@ -66,20 +66,12 @@ std::string json_of(std::span<const LoadedPicture> pictures, const LoadedScene& 
                     const Judged& judged, bool same) {
   Json json;
   begin_document(json, "diff");
-  for (std::size_t i = 0; i < pictures.size(); ++i) {
-    const LoadedPicture& picture = pictures[i];
-    json.begin_object(i + 1 == pictures.size() ? "b" : "a");
-    json.add("file", picture.path);
-    json.add("width", picture.picture.texture.width);
-    json.add("height", picture.picture.texture.height);
-    json.add("jpeg", picture.picture.jpeg);
-    json.add("not_finite", picture.picture.not_finite);
-    json.end_object();
+  for (const LoadedPicture& picture : pictures) {
+    add_picture(json, &picture == &pictures.back() ? "b" : "a", picture);
   }
   json.key("scene");
   json.raw(scene_json(scene));
-  json.add("same", same);
-  add_clauses(json, "broken", judged.broken);
+  json.add({{"same", same}, {"broken", judged.broken}});
   json.begin_object("path");
   add_path_verdict(json, judged.mine);
   json.end_object();

@@ -488,11 +488,11 @@ ExitCode run_frames(const Options& given, Context& context) {
     begin_document(json, "frames");
     json.key("scene");
     add_scene(json, scene);
-    json.add("output", given.output);
-    json.add("frames", motion.cameras.size());
-    json.add("fps", motion.fps);
-    json.add("drawn", drawn);
-    json.add("skipped", skipped);
+    json.add({{"output", given.output},
+              {"frames", motion.cameras.size()},
+              {"fps", motion.fps},
+              {"drawn", drawn},
+              {"skipped", skipped}});
     if (!outcome.error.empty()) {
       json.add("error", outcome.error);
     }

@@ -174,14 +174,9 @@ std::string store_json(const std::vector<std::uint32_t>* missing, std::size_t fo
   Json json;
   begin_document(json, "grade");
   json.begin_object("store");
-  json.add("found", found);
-  json.add("graded", graded);
+  json.add({{"found", found}, {"graded", graded}});
   if (missing != nullptr) {
-    json.begin_array("missing");
-    for (const std::uint32_t share : *missing) {
-      json.value(share);
-    }
-    json.end_array();
+    json.add("missing", *missing);
   }
   json.end_object();
   json.end_object();

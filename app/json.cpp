@@ -17,15 +17,13 @@ namespace {
 
 void add_camera(Json& json, const Scene& scene) {
   const Camera camera = scene.camera.value_or(Camera{});
-  json.begin_object("camera");
-  json.add("default", !scene.camera.has_value());
-  json.add("position", camera.position);
-  json.add("look", camera.look);
-  json.add("up", camera.up);
-  json.add("height_angle_deg", camera.height_angle_deg);
-  json.add("aperture", camera.aperture);
-  json.add("focal_length", camera.focal_length);
-  json.end_object();
+  json.add_object("camera", {{"default", !scene.camera.has_value()},
+                             {"position", camera.position},
+                             {"look", camera.look},
+                             {"up", camera.up},
+                             {"height_angle_deg", camera.height_angle_deg},
+                             {"aperture", camera.aperture},
+                             {"focal_length", camera.focal_length}});
 }
 
 template <std::size_t n>
@@ -40,56 +38,32 @@ void add_counts(Json& json, std::string_view name, const std::array<std::size_t,
 
 void add_summary(Json& json, const SceneSummary& s) {
   json.begin_object("summary");
-  json.add("nodes", s.nodes);
-  json.add("depth", s.depth);
-  json.add("transforms", s.transforms);
+  json.add({{"nodes", s.nodes}, {"depth", s.depth}, {"transforms", s.transforms}});
   add_counts(json, "primitives", s.primitives, shape_words);
   add_counts(json, "lights", s.lights, light_words);
-  json.add("templates", s.templates);
-  json.add("instances", s.instances);
-  json.add("instance_nesting", s.instance_nesting);
-  json.add("virtual_primitives", s.virtual_primitives);
-  json.add("virtual_lights", s.virtual_lights);
-  json.add("materials", s.materials);
-  json.add("textures", s.textures);
-  json.add("meshes", s.meshes);
+  json.add({{"templates", s.templates},
+            {"instances", s.instances},
+            {"instance_nesting", s.instance_nesting},
+            {"virtual_primitives", s.virtual_primitives},
+            {"virtual_lights", s.virtual_lights},
+            {"materials", s.materials},
+            {"textures", s.textures},
+            {"meshes", s.meshes}});
   json.end_object();
 }
 
 void add_file(Json& json, const AssetFile& file) {
-  json.begin_object();
-  json.add("kind", word_of(file.kind));
-  json.add("name", file.reference.name);
-  json.add("line", file.reference.location.line);
+  json.add({{"kind", word_of(file.kind)},
+            {"name", file.reference.name},
+            {"line", file.reference.location.line}});
   if (!file.from.empty()) {
     json.add("file", file.from);
   }
-  json.add("found", file.resolved.error.empty());
-  json.add("rule", rule_text(file.resolved.rule));
-  if (file.resolved.error.empty()) {
-    json.add("path", file.resolved.path);
-  } else {
-    json.add("error", file.resolved.error);
-  }
-  json.begin_array("tried");
-  for (const std::string& path : file.resolved.tried) {
-    json.value(path);
-  }
-  json.end_array();
-  json.end_object();
-}
-
-void add_face_material(Json& json, const FaceMaterial& m) {
-  json.add("name", m.name);
-  json.add("file", m.file);
-  json.add("line", m.location.line);
-  json.add("diffuse", m.diffuse);
-  json.add("specular", m.specular);
-  json.add("emission", m.emission);
-  json.add("transmission", m.transmission);
-  json.add("shininess", m.shininess);
-  json.add("ior", m.ior);
-  json.add("illum", m.illum);
+  const bool found = file.resolved.error.empty();
+  json.add({{"found", found},
+            {"rule", rule_text(file.resolved.rule)},
+            {found ? "path" : "error", found ? file.resolved.path : file.resolved.error},
+            {"tried", file.resolved.tried}});
 }
 
 void add_face_materials(Json& json, const LoadedScene& scene) {
@@ -98,72 +72,63 @@ void add_face_materials(Json& json, const LoadedScene& scene) {
     const MeshMaterials& mesh = scene.assets.mesh_materials[i];
     const std::vector<std::size_t> triangles = triangles_of_materials(mesh);
     for (std::size_t k = 0; k < mesh.materials.size(); ++k) {
+      const FaceMaterial& m = mesh.materials[k];
       json.begin_object();
-      json.add("mesh", scene.ready.scene.mesh_files[i].name);
-      json.add("triangles", triangles[k]);
-      add_face_material(json, mesh.materials[k]);
+      json.add({{"mesh", scene.ready.scene.mesh_files[i].name},
+                {"triangles", triangles[k]},
+                {"name", m.name},
+                {"file", m.file},
+                {"line", m.location.line},
+                {"diffuse", m.diffuse},
+                {"specular", m.specular},
+                {"emission", m.emission},
+                {"transmission", m.transmission},
+                {"shininess", m.shininess},
+                {"ior", m.ior},
+                {"illum", m.illum}});
       json.end_object();
     }
   }
   json.end_array();
-}
-
-void add_bounds(Json& json, const std::optional<Bounds>& bounds) {
-  if (bounds.has_value()) {
-    json.begin_object("bounds");
-    json.add("min", bounds->min);
-    json.add("max", bounds->max);
-    json.end_object();
-  }
 }
 
 void add_code(Json& json, const Code& code) {
-  json.begin_object();
-  json.add("name", code.name);
-  json.add("severity", severity_name(code.severity));
+  json.add({{"name", code.name}, {"severity", severity_name(code.severity)}});
   if (code.otherwise) {
     json.add("otherwise", severity_name(*code.otherwise));
   }
-  json.add("dialect", code.kind == CodeKind::dialect);
-  json.add("limit", code.kind == CodeKind::limit);
-  json.add("summary", code.summary);
-  json.add("help", code.help);
-  json.end_object();
+  json.add({{"dialect", code.kind == CodeKind::dialect},
+            {"limit", code.kind == CodeKind::limit},
+            {"summary", code.summary},
+            {"help", code.help}});
 }
 
 void add_cause(Json& json, const CauseHelp& page) {
-  json.begin_object();
-  json.add("name", name_of(page.cause));
-  json.add("title", page.title);
-  json.add("looks", page.looks);
-  json.add("why", page.why);
-  json.add("where", page.where);
-  json.end_object();
+  json.add({{"name", name_of(page.cause)},
+            {"title", page.title},
+            {"looks", page.looks},
+            {"why", page.why},
+            {"where", page.where}});
 }
 
 void add_command(Json& json, const Command& command) {
-  json.begin_object();
-  json.add("name", command.name);
-  json.add("arguments", command.arguments);
-  json.add("summary", command.summary);
-  json.begin_array("options");
-  for (const OptionRow& row : option_table()) {
-    if ((row.commands & command.bit) != 0) {
-      json.begin_object();
-      json.add("name", row.name);
-      json.add("letter", row.letter);
-      json.add("value", row.value);
-      json.add("help", row.help);
-      json.end_object();
-    }
-  }
-  json.end_array();
-  json.end_object();
+  json.add(
+      {{"name", command.name}, {"arguments", command.arguments}, {"summary", command.summary}});
+  json.add_objects("options", options_of(command), [&](const OptionRow* row) {
+    json.add(
+        {{"name", row->name}, {"letter", row->letter}, {"value", row->value}, {"help", row->help}});
+  });
 }
 
-}  // namespace
-
-namespace {
+// A document of one object.
+template <typename AddMembers>
+std::string object_json(const AddMembers& add_members) {
+  Json json;
+  json.begin_object();
+  add_members(json);
+  json.end_object();
+  return json.text();
+}
 
 // The numbers of objects in the layer object-id.
 void add_object_ids(Json& json, const LoadedScene& scene) {
@@ -187,32 +152,29 @@ void add_object_ids(Json& json, const LoadedScene& scene) {
 
 void add_realtime(Json& json, const RealtimeReport& report) {
   add_realtime_options(json, report.options);
-  json.add("lights_drawn", std::uint64_t{report.lights});
-  json.begin_array("lights_skipped");
-  for (const SkippedLight& light : report.skipped_lights) {
-    json.begin_object();
+  json.add("lights_drawn", report.lights);
+  json.add_objects("lights_skipped", report.skipped_lights, [&](const SkippedLight& light) {
     json.add("type", word_of(light.type));
     add_location(json, light.location);
-    json.end_object();
-  }
-  json.end_array();
+  });
 }
 
 void add_work(Json& json, const RenderReport& report) {
-  json.add("engine", report.gl.renderer.empty() ? "trace" : "gl");
   if (!report.gl.renderer.empty()) {
-    json.add("renderer", report.gl.renderer);
-    json.add("draw_calls", std::uint64_t{report.gl.draw_calls});
-    json.add("shadow_maps", std::uint64_t{report.gl.shadow_maps});
-    json.add("objects", report.gl.objects);
-    json.add("triangles", report.gl.triangles);
+    json.add({{"engine", "gl"},
+              {"renderer", report.gl.renderer},
+              {"draw_calls", report.gl.draw_calls},
+              {"shadow_maps", report.gl.shadow_maps},
+              {"objects", report.gl.objects},
+              {"triangles", report.gl.triangles}});
     return;
   }
-  json.add("primary_rays", report.stats.primary_rays);
-  json.add("shadow_rays", report.stats.shadow_rays);
-  json.add("secondary_rays", report.stats.secondary_rays);
-  json.add("build_seconds", report.stats.build_seconds);
-  json.add("trace_seconds", report.stats.trace_seconds);
+  json.add({{"engine", "trace"},
+            {"primary_rays", report.stats.primary_rays},
+            {"shadow_rays", report.stats.shadow_rays},
+            {"secondary_rays", report.stats.secondary_rays},
+            {"build_seconds", report.stats.build_seconds},
+            {"trace_seconds", report.stats.trace_seconds}});
 }
 
 }  // namespace
@@ -223,15 +185,12 @@ std::string render_json(const LoadedScene& scene, const RenderReport& report) {
   begin_document(json, "render");
   json.key("scene");
   add_scene(json, scene);
-  json.add("output", report.output);
-  json.add("written", report.written);
+  json.add({{"output", report.output}, {"written", report.written}});
   if (!report.error.empty()) {
     json.add("error", report.error);
   }
   if (report.realtime) {
-    json.add("width", options.width);
-    json.add("height", options.height);
-    json.add("profile", "realtime");
+    json.add({{"width", options.width}, {"height", options.height}, {"profile", "realtime"}});
     add_realtime(json, *report.realtime);
   } else {
     add_render_options(json, options);
@@ -241,15 +200,9 @@ std::string render_json(const LoadedScene& scene, const RenderReport& report) {
     add_object_ids(json, scene);
   }
   if (report.store) {
-    json.begin_object("store");
-    json.add("found", report.store->found);
-    json.add("drawn", report.store->drawn);
-    json.begin_array("missing");
-    for (const std::uint32_t share : report.store->missing) {
-      json.value(share);
-    }
-    json.end_array();
-    json.end_object();
+    json.add_object("store", {{"found", report.store->found},
+                              {"drawn", report.store->drawn},
+                              {"missing", report.store->missing}});
   }
   add_work(json, report);
   json.add("seconds", report.seconds);
@@ -265,18 +218,16 @@ std::string info_json(const LoadedScene& scene, const InfoReport* report) {
   if (report != nullptr) {
     add_camera(json, scene.written);
     add_summary(json, report->summary);
-    add_bounds(json, report->bounds);
+    if (report->bounds) {
+      json.add_object("bounds", {{"min", report->bounds->min}, {"max", report->bounds->max}});
+    }
     if (report->realtime) {
       json.begin_object("realtime");
       add_realtime(json, *report->realtime);
       json.add("shape_triangles", report->realtime->triangles);
       json.end_object();
     }
-    json.begin_array("files");
-    for (const AssetFile& file : report->files) {
-      add_file(json, file);
-    }
-    json.end_array();
+    json.add_objects("files", report->files, [&](const AssetFile& file) { add_file(json, file); });
     add_face_materials(json, scene);
     if (!report->tree.empty()) {
       json.add("tree", report->tree);
@@ -291,9 +242,9 @@ std::string convert_json(const LoadedScene& scene, const ConvertReport& report) 
   begin_document(json, "convert");
   json.key("scene");
   add_scene(json, scene);
-  json.add("output", report.output);
-  json.add("format", format_words[static_cast<std::size_t>(report.format)]);
-  json.add("written", report.error.empty());
+  json.add({{"output", report.output},
+            {"format", word_of(report.format)},
+            {"written", report.error.empty()}});
   if (!report.error.empty()) {
     json.add("error", report.error);
   }
@@ -305,18 +256,14 @@ std::string format_json(const std::vector<FormatReport>& files, bool check) {
   Json json;
   begin_document(json, "format");
   json.add("check", check);
-  json.begin_array("files");
-  for (const FormatReport& file : files) {
-    json.begin_object();
+  json.add_objects("files", files, [&](const FormatReport& file) {
     json.key("scene");
     json.raw(file.scene);
     json.add("changed", file.changed);
     if (!file.error.empty()) {
       json.add("error", file.error);
     }
-    json.end_object();
-  }
-  json.end_array();
+  });
   json.end_object();
   return json.text();
 }
@@ -335,45 +282,29 @@ std::string failure_json(std::string_view command, std::string_view error,
 }
 
 std::string command_json(const Command& command) {
-  Json json;
-  add_command(json, command);
-  return json.text();
+  return object_json([&](Json& json) { add_command(json, command); });
 }
 
 std::string code_json(const Code& code) {
-  Json json;
-  add_code(json, code);
-  return json.text();
+  return object_json([&](Json& json) { add_code(json, code); });
 }
 
 std::string cause_json(Cause cause) {
-  Json json;
-  add_cause(json, help_of(cause));
-  return json.text();
+  return object_json([&](Json& json) { add_cause(json, help_of(cause)); });
 }
 
 std::string vocabulary_json() {
   Json json;
-  const auto add_words = [&](std::string_view name, std::span<const std::string_view> words) {
-    json.begin_array(name);
-    for (const std::string_view word : words) {
-      json.value(word);
-    }
-    json.end_array();
-  };
   begin_document(json, "help");
   json.begin_object("xml");
   for (const ElementWord& element : element_words()) {
     json.begin_object(element.name);
-    json.add("about", element.about);
-    add_words("children", element.children);
+    json.add({{"about", element.about}, {"children", element.children}});
     json.begin_object("attributes");
     for (const AttributeWord& attribute : element.attributes) {
-      json.begin_object(attribute.name);
-      json.add("about", attribute.about);
-      add_words("values", attribute.values);
-      json.add("required", attribute.required);
-      json.end_object();
+      json.add_object(attribute.name, {{"about", attribute.about},
+                                       {"values", attribute.values},
+                                       {"required", attribute.required}});
     }
     json.end_object();
     json.end_object();
@@ -384,8 +315,7 @@ std::string vocabulary_json() {
     json.begin_object(object.name);
     for (const KeyWord& key : object.keys) {
       json.begin_object(key.name);
-      json.add("about", key.about);
-      add_words("values", key.values);
+      json.add({{"about", key.about}, {"values", key.values}});
       if (!key.object.empty()) {
         json.add("in", key.object);
       }
@@ -404,31 +334,21 @@ std::string vocabulary_json() {
 std::string help_json() {
   Json json;
   begin_document(json, "help");
-  json.begin_array("commands");
-  for (const Command& command : commands()) {
-    add_command(json, command);
-  }
-  json.end_array();
-  json.begin_array("codes");
-  for (const Code* code : all_codes()) {
-    add_code(json, *code);
-  }
-  json.end_array();
+  json.add_objects("commands", commands(), [&](const Command& c) { add_command(json, c); });
+  json.add_objects("codes", all_codes(), [&](const Code* code) { add_code(json, *code); });
   json.begin_array("causes");
   for (std::size_t i = 0; i < cause_count; ++i) {
-    add_cause(json, help_of(static_cast<Cause>(i)));
-  }
-  json.end_array();
-  json.begin_array("limits");
-  for (const LimitRow& limit : limit_table()) {
     json.begin_object();
-    json.add("name", limit.name);
-    json.add("default", limit.get({}));
-    json.add("most", limit.most);
-    json.add("help", limit.help);
+    add_cause(json, help_of(static_cast<Cause>(i)));
     json.end_object();
   }
   json.end_array();
+  json.add_objects("limits", limit_table(), [&](const LimitRow& limit) {
+    json.add({{"name", limit.name},
+              {"default", limit.get({})},
+              {"most", limit.most},
+              {"help", limit.help}});
+  });
   json.end_object();
   return json.text();
 }

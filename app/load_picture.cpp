@@ -126,6 +126,21 @@ ExitCode save_maps(const Options& options, const Texture& map,
   return status;
 }
 
+void add_picture(Json& json, std::string_view key, const LoadedPicture& loaded) {
+  const DecodedPicture& picture = loaded.picture;
+  json.begin_object(key);
+  json.add("file", loaded.path);
+  if (loaded.error.empty()) {
+    json.add({{"width", picture.texture.width},
+              {"height", picture.texture.height},
+              {"jpeg", picture.jpeg},
+              {"not_finite", picture.not_finite}});
+  } else {
+    json.add("error", loaded.error);
+  }
+  json.end_object();
+}
+
 ExitCode answer_comparison(const Options& options, bool same, ExitCode written,
                            const std::string& text) {
   const ExitCode status = worse(written, same ? ExitCode::fine : ExitCode::findings);

@@ -57,6 +57,8 @@ ExitCode save_picture(const std::string& path, const Texture& picture, Context& 
 ExitCode save_maps(const Options& options, const Texture& map,
                    std::span<const Texture* const> sheet, Context& context);
 
+/// Adds a member about the picture of diff.
+void add_picture(Json& json, std::string_view key, const LoadedPicture& loaded);
 /// Ends diff: prints `text`, unless it is empty. `written`: the result of writing maps. If that
 /// failed, the answer of --json is that error (main.cpp).
 ExitCode answer_comparison(const Options& options, bool same, ExitCode written,

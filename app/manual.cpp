@@ -89,10 +89,8 @@ std::string manual_page(const Command& command) {
       ".SH SYNOPSIS\n\\fBscenefile {}\\fR {} [\\fIOPTIONS\\fR]\n.SH DESCRIPTION\n{}\n.SH "
       "OPTIONS\n",
       plain(command.name), plain(command.arguments), plain(command.description));
-  for (const OptionRow& row : option_table()) {
-    if ((row.commands & command.bit) != 0) {
-      page += option_entry(row);
-    }
+  for (const OptionRow* row : options_of(command)) {
+    page += option_entry(*row);
   }
   page += fmt::format(".SH EXAMPLES\n.nf\n{}\n.fi\n", plain(command.examples));
   return page + std::string(exit_status) + ".SH SEE ALSO\n\\fBscenefile\\fR(1)\n";

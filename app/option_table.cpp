@@ -1,5 +1,6 @@
 #include "app/option_table.h"
 
+#include "app/command.h"
 #include "app/limit_table.h"
 #include "app/names.h"
 #include "scenefile/asset/image_file.h"
@@ -817,6 +818,16 @@ constexpr std::array option_rows{
 
 std::span<const OptionRow> option_table() {
   return option_rows;
+}
+
+std::vector<const OptionRow*> options_of(const Command& command) {
+  std::vector<const OptionRow*> rows;
+  for (const OptionRow& row : option_rows) {
+    if ((row.commands & command.bit) != 0) {
+      rows.push_back(&row);
+    }
+  }
+  return rows;
 }
 
 std::span<const std::string_view> words_of(const OptionRow& row) {

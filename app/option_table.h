@@ -50,6 +50,9 @@ struct OptionRow {
 /// In the order of the help.
 std::span<const OptionRow> option_table();
 
+/// Those of a command.
+std::vector<const OptionRow*> options_of(const Command& command);
+
 /// The accepted words: one, or if the value is LIST, several separated by commas; empty if the
 /// value is not a word.
 std::span<const std::string_view> words_of(const OptionRow& row);

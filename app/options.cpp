@@ -48,19 +48,17 @@ void add_option(CLI::App& parser, const OptionRow& row, Options& options) {
 }
 
 bool has_option(const Command& command, std::string_view name) {
-  return std::any_of(option_table().begin(), option_table().end(), [&](const OptionRow& row) {
-    return row.name == name && (row.commands & command.bit) != 0;
-  });
+  const std::vector<const OptionRow*> rows = options_of(command);
+  return std::any_of(rows.begin(), rows.end(),
+                     [&](const OptionRow* row) { return row->name == name; });
 }
 
 void set_up(CLI::App& parser, const Command& command, Options& options) {
   parser.set_help_flag();
   parser.allow_extras();
   parser.add_option("arguments", options.arguments);
-  for (const OptionRow& row : option_table()) {
-    if ((row.commands & command.bit) != 0) {
-      add_option(parser, row, options);
-    }
+  for (const OptionRow* row : options_of(command)) {
+    add_option(parser, *row, options);
   }
 }
 
@@ -78,10 +76,8 @@ std::string set_given(Options& options) {
 
 std::string unknown_option(const Command& command, const std::string& word) {
   std::vector<std::string_view> known;
-  for (const OptionRow& row : option_table()) {
-    if ((row.commands & command.bit) != 0) {
-      known.push_back(row.name);
-    }
+  for (const OptionRow* row : options_of(command)) {
+    known.push_back(row->name);
   }
   const std::string name = word.substr(0, word.find('='));
   return fmt::format("{} has no option {}{}", command.name, escaped(name),

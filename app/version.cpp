@@ -30,11 +30,11 @@ ExitCode run_version(const Options& options, Context& context) {
   }
   Json json;
   json.begin_object();
-  json.add("scenefile", SCENEFILE_VERSION);
-  json.add("build_type", SCENEFILE_BUILD_TYPE);
-  json.add("compiler", SCENEFILE_COMPILER);
-  json.add("embree", embree);
-  json.add("lanes", backend.lanes);
+  json.add({{"scenefile", SCENEFILE_VERSION},
+            {"build_type", SCENEFILE_BUILD_TYPE},
+            {"compiler", SCENEFILE_COMPILER},
+            {"embree", embree},
+            {"lanes", backend.lanes}});
   if (!documentation.empty()) {
     json.add("docs", documentation);
   }

@@ -23,24 +23,12 @@ void add_claim_lines(std::string& text, const char* word, const std::vector<Path
 }
 
 void add_path_claims(Json& json, std::string_view name, const std::vector<PathClaim>& claims) {
-  json.begin_array(name);
-  for (const PathClaim& claim : claims) {
-    json.begin_object();
-    json.add("name", claim.name);
-    json.add("what", claim.what);
-    json.add("evidence", claim.evidence);
-    json.add("explained", claim.explained);
-    json.end_object();
-  }
-  json.end_array();
-}
-
-void add_numbers(Json& json, std::string_view name, const std::vector<double>& numbers) {
-  json.begin_array(name);
-  for (const double number : numbers) {
-    json.value(number);
-  }
-  json.end_array();
+  json.add_objects(name, claims, [&](const PathClaim& claim) {
+    json.add({{"name", claim.name},
+              {"what", claim.what},
+              {"evidence", claim.evidence},
+              {"explained", claim.explained}});
+  });
 }
 
 // Two digits are enough for a number of samples.
@@ -229,37 +217,31 @@ PathNeighborhood neighborhood(const PathTruth& truth, PathVerdict verdict,
 }
 
 void add_path_verdict(Json& json, const PathVerdict& v) {
-  json.add("right", v.right);
-  json.add("too_noisy", v.too_noisy);
-  json.add("more_samples", v.more_samples);
+  json.add({{"right", v.right}, {"too_noisy", v.too_noisy}, {"more_samples", v.more_samples}});
   add_path_claims(json, "causes", v.causes);
   add_path_claims(json, "partial", v.partial);
   add_path_claims(json, "conventions", v.conventions);
   add_path_claims(json, "notes", v.notes);
-  json.begin_array("places");
-  for (const PathPlace& place : v.places) {
-    json.begin_object();
-    json.add("name", place.name);
-    json.add("share", place.share);
-    json.add("factor", place.factor);
-    json.add("error", place.error);
-    json.end_object();
-  }
-  json.end_array();
-  add_numbers(json, "energy_truth", v.energy_truth);
-  add_numbers(json, "energy_mine", v.energy_mine);
-  json.add("blocks", v.tested);
-  json.add("largest_significance", v.largest);
-  json.add("critical_significance", v.critical);
-  json.add("samples", v.samples);
-  json.add("truth_samples", v.truth_samples);
-  json.add("curve", v.curve);
-  json.add("exposure", v.exposure);
-  json.add("clipped", v.clipped);
-  json.add("not_finite", v.not_finite);
-  json.add("fireflies", v.fireflies);
-  json.add("firefly_energy", v.firefly_energy);
-  json.add("chi2_per_value", v.chi2_per_value);
+  json.add_objects("places", v.places, [&](const PathPlace& place) {
+    json.add({{"name", place.name},
+              {"share", place.share},
+              {"factor", place.factor},
+              {"error", place.error}});
+  });
+  json.add({{"energy_truth", v.energy_truth},
+            {"energy_mine", v.energy_mine},
+            {"blocks", v.tested},
+            {"largest_significance", v.largest},
+            {"critical_significance", v.critical},
+            {"samples", v.samples},
+            {"truth_samples", v.truth_samples},
+            {"curve", v.curve},
+            {"exposure", v.exposure},
+            {"clipped", v.clipped},
+            {"not_finite", v.not_finite},
+            {"fireflies", v.fireflies},
+            {"firefly_energy", v.firefly_energy},
+            {"chi2_per_value", v.chi2_per_value}});
 }
 
 }  // namespace scenefile

@@ -7,32 +7,18 @@
 #include "scenefile/compare/measure.h"
 #include "scenefile/compare/worst_region.h"
 #include "scenefile/grade/causes.h"
-#include "scenefile/grade/realtime_causes.h"
+#include "scenefile/verbs/drawn_ways.h"
 #include "scenefile/verbs/json_writer.h"
 #include "scenefile/verbs/load_scene.h"
 
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace scenefile {
-
-/// A way in which a reference may have been rendered.
-struct DrawnWay {
-  RenderOptions options;
-  std::string words;  ///< as command line options, such as "--profile course"
-  /// Set for the assignment Realtime; `options` is then unused.
-  std::optional<RealtimeOptions> realtime = std::nullopt;
-  RealtimeUnknowns unknowns = {};  ///< of `realtime`: settings to find in the reference
-  bool nearly = false;  ///< fits the reference nearly as well as the first way, not equally
-};
-
-/// Share of pixels. If more differ, the scene or its settings are not those of the reference.
-inline constexpr double max_share_unlike = 0.1;
 
 enum class LookForCauses : std::uint8_t { where_broken, always };
 
@@ -46,34 +32,6 @@ struct CompareSettings {
   /// A pixel of the picture under test to draw with the mistakes: PictureComparison::asked.
   std::optional<glm::ivec2> asked = std::nullopt;
 };
-
-/// Options that draw a picture this way, without its size and quality: "--profile course", and what
-/// differs from the defaults of the profile.
-std::string options_text(const RenderOptions& options);
-
-/// Only `profiles` if the features are known; otherwise also with the sets of features that
-/// references usually use.
-std::vector<DrawnWay> possible_ways(std::span<const RenderOptions> profiles, bool features_known);
-
-/// `ways`, reordered: if a folder in the path of the reference is named after a project of the
-/// course (Intersect, grading_illuminate, intersect_normal_color), the way of that project comes
-/// first. The last such folder counts. Of ways that fit a reference equally, the first is used.
-std::vector<DrawnWay> folder_first(std::string_view reference, std::vector<DrawnWay> ways);
-
-/// A way of drawing the assignment Realtime.
-DrawnWay realtime_way(const RealtimeOptions& panel, const RealtimeUnknowns& unknowns);
-
-/// The ways in which our picture of the scene, with all assets, is most similar to the reference:
-/// the likeliest first, then those with other features. A single way that contradicts the reference
-/// is replaced by those that fit it. `ways` must not be empty.
-std::vector<DrawnWay> ways_drawn(const Texture& reference, const LoadedScene& scene,
-                                 const std::vector<DrawnWay>& ways);
-
-/// The share of the picture's pixels that differ from our picture drawn this way, except at edges
-/// and by rounding.
-double share_unlike(const Texture& picture, const LoadedScene& scene, const DrawnWay& way);
-/// If at most this share differs, pictures are the same.
-inline constexpr double max_share_same = 0.001;
 
 /// Where two pictures differ most, and what the scene shows there.
 struct PlaceToLook {
@@ -165,7 +123,6 @@ std::string where_text(const PictureComparison& found,
 
 /// Adds members to the open object.
 void add_measures(Json& json, const PictureMeasures& measures);
-void add_clauses(Json& json, std::string_view name, const std::vector<std::string>& clauses);
 void add_claims(Json& json, std::string_view name, const std::vector<Claim>& claims);
 void add_comparison(Json& json, const PictureComparison& found);
 

@@ -272,17 +272,12 @@ std::string compare_scenes_json(const LoadedScene& a, const LoadedScene& b, cons
   json.key("b");
   add_scene(json, b);
   if (diff != nullptr) {
-    json.add("equal", diff->equal);
-    json.add("same_meaning", diff->same_meaning);
-    json.begin_array("differences");
-    for (const SceneDifference& difference : diff->differences) {
-      json.begin_object();
+    json.add({{"equal", diff->equal}, {"same_meaning", diff->same_meaning}});
+    json.add_objects("differences", diff->differences, [&](const SceneDifference& difference) {
       json.add("where", difference.where);
       add_side(json, "a", difference.a, difference.in_a);
       add_side(json, "b", difference.b, difference.in_b);
-      json.end_object();
-    }
-    json.end_array();
+    });
   }
   json.end_object();
   return json.text();

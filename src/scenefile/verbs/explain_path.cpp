@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace scenefile {
 
@@ -249,52 +250,37 @@ class PathText {
   ObjectNames names_;
 };
 
-void add_two(Json& json, std::string_view name, const glm::dvec2& v) {
-  json.begin_array(name);
-  json.value(v.x);
-  json.value(v.y);
-  json.end_array();
-}
-
 class PathDocument {
  public:
   PathDocument(Json& json, const LoadedScene& scene, const PathPixel& pixel)
       : json_(json), loaded_(scene), pixel_(pixel), names_(scene.written, scene.ready.sources) {}
 
   void add_pixel(const std::optional<PathNeighborhood>& around) {
+    const PathRecord& path = pixel_.path;
     json_.begin_object("pixel");
-    json_.add("x", pixel_.x);
-    json_.add("y", pixel_.y);
-    json_.add("color", Color(pixel_.picture[0], pixel_.picture[1], pixel_.picture[2]));
-    json_.add("standard_error", pixel_.deviation);
-    json_.begin_array("samples");
-    for (const PathSample& s : pixel_.samples) {
-      json_.begin_object();
-      add_two(json_, "point", s.point);
-      add_two(json_, "lens", s.lens);
-      json_.add("color", s.light);
-      json_.add("surfaces", s.surfaces);
-      json_.end_object();
-    }
-    json_.end_array();
+    json_.add({{"x", pixel_.x},
+               {"y", pixel_.y},
+               {"color", pixel_.picture},
+               {"standard_error", pixel_.deviation}});
+    json_.add_objects("samples", pixel_.samples, [&](const PathSample& s) {
+      json_.add(
+          {{"point", s.point}, {"lens", s.lens}, {"color", s.light}, {"surfaces", s.surfaces}});
+    });
     json_.add("shown", pixel_.shown);
     if (around) {
       add_around(*around);
     }
-    const PathRecord& path = pixel_.path;
     json_.begin_object("path");
-    json_.begin_array("vertices");
-    for (std::size_t i = 0; i < path.vertices.size(); ++i) {
-      add_vertex(path.vertices[i], pixel_.objects[i]);
-    }
-    json_.end_array();
+    json_.add_objects("vertices", path.vertices, [&](const PathVertex& v) {
+      add_vertex(v, pixel_.objects[std::size_t(&v - path.vertices.data())]);
+    });
     if (path.escaped) {
-      add_line("escapes", path.last);
+      add_line(json_, "escapes", path.last);
     }
-    json_.add("direct", path.direct);
-    json_.add("indirect", path.indirect);
-    json_.add("clamp", path.clamp);
-    json_.add("color", path.light);
+    json_.add({{"direct", path.direct},
+               {"indirect", path.indirect},
+               {"clamp", path.clamp},
+               {"color", path.light}});
     json_.end_object();
     json_.end_object();
   }
@@ -302,131 +288,98 @@ class PathDocument {
  private:
   void add_around(const PathNeighborhood& n) {
     json_.begin_object("yours");
-    json_.begin_array("block");
-    for (const int side : {n.block.x0, n.block.y0, n.block.x1, n.block.y1}) {
-      json_.value(side);
-    }
-    json_.end_array();
+    json_.add("block", std::array{n.block.x0, n.block.y0, n.block.x1, n.block.y1});
     if (n.mine) {
-      json_.add("color", *n.mine);
-      json_.add("standard_error", n.error);
-      json_.add("significance", n.significance);
+      json_.add(
+          {{"color", *n.mine}, {"standard_error", n.error}, {"significance", n.significance}});
     }
-    json_.add("truth", n.truth);
-    json_.add("truth_error", n.truth_error);
-    json_.begin_array("terms");
-    for (const PathTerm& term : n.terms) {
-      json_.begin_object();
-      json_.add("name", term.name);
-      json_.add("color", term.light);
-      json_.end_object();
-    }
-    json_.end_array();
+    json_.add({{"truth", n.truth}, {"truth_error", n.truth_error}});
+    json_.add_objects("terms", n.terms, [&](const PathTerm& term) {
+      json_.add({{"name", term.name}, {"color", term.light}});
+    });
     json_.begin_object("picture");
     add_path_verdict(json_, n.verdict);
     json_.end_object();
     json_.end_object();
   }
 
-  void add_line(std::string_view name, const Ray& ray) {
-    json_.begin_object(name);
-    json_.add("origin", ray.origin);
-    json_.add("direction", ray.direction);
-    json_.end_object();
-  }
-
   void add_vertex(const PathVertex& v, const ObjectRef& object) {
-    json_.begin_object();
     add_object(json_, names_, object);
     json_.add("shape", scenefile::word_of(v.shape));
     if (v.shape == Shape::mesh) {
-      json_.add("mesh", loaded_.ready.scene.mesh_files[v.mesh].name);
-      json_.add("triangle", v.point.triangle);
+      json_.add(
+          {{"mesh", loaded_.ready.scene.mesh_files[v.mesh].name}, {"triangle", v.point.triangle}});
     } else {
       json_.add("face", face_words[static_cast<std::size_t>(v.face)]);
     }
-    add_line("ray", v.ray);
-    json_.add("start", v.start);
-    json_.add("ray_density", v.ray_density);
-    json_.add("t", v.t);
-    json_.add("position", v.point.position);
-    json_.add("normal", v.point.facing.normal);
-    json_.add("geometric_normal", v.point.facing.geometric);
-    json_.add("outside", v.point.facing.outside);
+    add_line(json_, "ray", v.ray);
+    json_.add({{"start", v.start},
+               {"ray_density", v.ray_density},
+               {"t", v.t},
+               {"position", v.point.position},
+               {"normal", v.point.facing.normal},
+               {"geometric_normal", v.point.facing.geometric},
+               {"outside", v.point.facing.outside}});
     add_material(v);
     json_.add("throughput", v.throughput);
-    json_.begin_object("emission");
-    json_.add("radiance", v.point.emission);
-    json_.add("density", v.emission_density);
-    json_.add("weight", v.emission_weight);
-    json_.add("contribution", v.emission);
-    json_.end_object();
-    json_.begin_array("lights");
-    for (std::uint32_t i = 0; i < v.lights; ++i) {
-      add_light(v.first_light + i);
-    }
-    json_.end_array();
-    json_.add("light", v.light);
-    json_.add("end", end_names[static_cast<std::size_t>(v.end)]);
+    json_.add_object("emission", {{"radiance", v.point.emission},
+                                  {"density", v.emission_density},
+                                  {"weight", v.emission_weight},
+                                  {"contribution", v.emission}});
+    json_.add_objects("lights", std::span(pixel_.path.lights).subspan(v.first_light, v.lights),
+                      [&](const PathLight& light) { add_light(light); });
+    json_.add({{"light", v.light}, {"end", end_names[static_cast<std::size_t>(v.end)]}});
     if (v.next.lobe != BsdfLobe::none) {
-      json_.begin_object("next");
-      json_.add("lobe", word_of(v.next.lobe));
-      json_.add("direction", v.next.to_light);
-      json_.add("bsdf_cosine", v.next.light);
-      json_.add("density", v.next.density);
-      json_.add("weight", v.next.weight);
-      json_.add("continuation", v.continuation);
-      json_.end_object();
+      json_.add_object("next", {{"lobe", word_of(v.next.lobe)},
+                                {"direction", v.next.to_light},
+                                {"bsdf_cosine", v.next.light},
+                                {"density", v.next.density},
+                                {"weight", v.next.weight},
+                                {"continuation", v.continuation}});
     }
-    json_.end_object();
   }
 
   void add_material(const PathVertex& v) {
     const Bsdf& bsdf = v.point.bsdf;
     json_.begin_object("material");
     if (const FaceMaterial* const m = face_material(loaded_, v)) {
-      json_.add("name", m->name);
-      json_.add("file", m->file);
-      json_.add("line", m->location.line);
-      json_.add("illum", m->illum);
+      json_.add(
+          {{"name", m->name}, {"file", m->file}, {"line", m->location.line}, {"illum", m->illum}});
     }
-    json_.add("diffuse", bsdf.diffuse);
-    json_.add("glossy", bsdf.glossy);
-    json_.add("shininess", bsdf.shininess);
-    json_.add("mirror", bsdf.mirror);
-    json_.add("glass", bsdf.glass);
-    json_.add("ior", bsdf.ior);
+    json_.add({{"diffuse", bsdf.diffuse},
+               {"glossy", bsdf.glossy},
+               {"shininess", bsdf.shininess},
+               {"mirror", bsdf.mirror},
+               {"glass", bsdf.glass},
+               {"ior", bsdf.ior}});
     json_.end_object();
   }
 
-  void add_light(std::size_t index) {
-    const PathLight& l = pixel_.path.lights[index];
-    json_.begin_object();
+  void add_light(const PathLight& l) {
     if (l.light != no_index) {
       const RenderLight& light = loaded_.ready.scene.lights[l.light];
-      json_.add("light", l.light);
-      json_.add("type", scenefile::word_of(light.type));
-      json_.add("line", names_.at(light.source).location.line);
+      json_.add({{"light", l.light},
+                 {"type", scenefile::word_of(light.type)},
+                 {"line", names_.at(light.source).location.line}});
     } else {
       json_.add("type", "lamp");
     }
-    json_.add("to_light", l.to_light);
-    json_.add("distance", l.distance);
-    json_.add("emission", l.emission);
-    json_.add("bsdf_cosine", l.reflected);
-    json_.add("density", l.density);
-    json_.add("bsdf_density", l.bsdf_density);
-    json_.add("weight", l.weight);
-    json_.add("unshadowed", l.unshadowed);
-    json_.add("shadow_ray", l.shadow_ray);
-    json_.add("visibility", l.visibility);
-    if (pixel_.occluders[index]) {
+    json_.add({{"to_light", l.to_light},
+               {"distance", l.distance},
+               {"emission", l.emission},
+               {"bsdf_cosine", l.reflected},
+               {"density", l.density},
+               {"bsdf_density", l.bsdf_density},
+               {"weight", l.weight},
+               {"unshadowed", l.unshadowed},
+               {"shadow_ray", l.shadow_ray},
+               {"visibility", l.visibility}});
+    if (const auto& occluder = pixel_.occluders[std::size_t(&l - pixel_.path.lights.data())]) {
       json_.begin_object("occluder");
-      add_object(json_, names_, *pixel_.occluders[index]);
+      add_object(json_, names_, *occluder);
       json_.end_object();
     }
     json_.add("contribution", l.contribution);
-    json_.end_object();
   }
 
   Json& json_;

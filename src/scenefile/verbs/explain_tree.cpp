@@ -58,15 +58,14 @@ std::string object_text(const ObjectNames& names, const ObjectRef& object) {
 }
 
 void add_object(Json& json, const ObjectNames& names, const ObjectRef& object) {
-  json.begin_array("object");
-  for (const WayPoint& point : names.way(object)) {
-    json.begin_object();
-    json.add("path", point.path);
-    json.add("line", point.location.line);
-    json.add("column", point.location.column);
-    json.end_object();
-  }
-  json.end_array();
+  json.add_objects("object", names.way(object), [&](const WayPoint& point) {
+    json.add(
+        {{"path", point.path}, {"line", point.location.line}, {"column", point.location.column}});
+  });
+}
+
+void add_line(Json& json, std::string_view name, const Ray& ray) {
+  json.add_object(name, {{"origin", ray.origin}, {"direction", ray.direction}});
 }
 
 std::string place_text(const Location& location) {

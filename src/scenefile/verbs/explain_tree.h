@@ -39,6 +39,7 @@ std::string color_text(const Color& c, const ExplainStyle& style);
 std::string object_text(const ObjectNames& names, const ObjectRef& object);
 /// "object": an array of the nodes on the way to it.
 void add_object(Json& json, const ObjectNames& names, const ObjectRef& object);
+void add_line(Json& json, std::string_view name, const Ray& ray);
 /// " (line 7)"; empty if unknown.
 std::string place_text(const Location& location);
 

@@ -858,22 +858,16 @@ std::string gradebook_json(const Gradebook& book) {
   Json json;
   begin_document(json, "grade");
   json.add("passed", book.all_passed());
-  json.begin_array("students");
-  for (const StudentResult& student : book.students) {
-    json.begin_object();
-    json.add("name", student.name);
-    json.add("passed", student.passed());
-    json.begin_array("pictures");
-    for (const PictureResult& picture : student.pictures) {
-      json.begin_object();
-      json.add("name", picture.name);
-      json.add("verdict", name_of(picture.verdict));
+  json.add_objects("students", book.students, [&](const StudentResult& student) {
+    json.add({{"name", student.name}, {"passed", student.passed()}});
+    json.add_objects("pictures", student.pictures, [&](const PictureResult& picture) {
+      json.add({{"name", picture.name}, {"verdict", name_of(picture.verdict)}});
       if (picture.path_traced) {
         json.add("path_traced", true);
       } else if (picture.verdict == Verdict::passed || picture.verdict == Verdict::differs) {
         add_measures(json, picture.measures);
       }
-      add_clauses(json, "reasons", picture.reasons);
+      json.add("reasons", picture.reasons);
       add_claims(json, "causes", picture.causes);
       add_claims(json, "rivals", picture.rivals);
       add_claims(json, "partial", picture.partial);
@@ -881,25 +875,17 @@ std::string gradebook_json(const Gradebook& book) {
       if (!picture.identical.empty()) {
         notes.push_back("identical files: " + picture.identical);
       }
-      add_clauses(json, "notes", notes);
-      json.end_object();
-    }
-    json.end_array();
-    add_clauses(json, "unmatched", student.unmatched);
-    json.end_object();
-  }
-  json.end_array();
-  json.begin_array("ignored");
-  for (const IgnoredFile& file : book.ignored) {
-    json.begin_object();
+      json.add("notes", notes);
+    });
+    json.add("unmatched", student.unmatched);
+  });
+  json.add_objects("ignored", book.ignored, [&](const IgnoredFile& file) {
     json.add("path", file.path);
     if (!file.student.empty()) {
       json.add("student", file.student);
     }
     json.add("reason", file.reason);
-    json.end_object();
-  }
-  json.end_array();
+  });
   json.end_object();
   return json.text();
 }

@@ -7,6 +7,7 @@
 #include "scenefile/verbs/codes.h"
 #include "scenefile/verbs/findings.h"
 
+#include <array>
 #include <optional>
 #include <type_traits>
 
@@ -17,34 +18,22 @@ namespace {
 void add_correction(Json& json, const Correction& correction,
                     const std::vector<Replacement>& changes) {
   json.begin_object("correction");
-  json.add("written", correction.written);
-  json.add("instead", correction.instead);
+  json.add({{"written", correction.written}, {"instead", correction.instead}});
   if (!changes.empty()) {
-    json.begin_array("changes");
-    for (const Replacement& change : changes) {
-      json.begin_object();
+    json.add_objects("changes", changes, [&](const Replacement& change) {
       add_location(json, change.from);
-      json.add("end_line", change.to.line);
-      json.add("end_column", change.to.column);
-      json.add("text", change.text);
-      json.end_object();
-    }
-    json.end_array();
+      json.add(
+          {{"end_line", change.to.line}, {"end_column", change.to.column}, {"text", change.text}});
+    });
   }
   json.end_object();
 }
 
 void add_finding(Json& json, const Diagnostic& d, const std::vector<Replacement>& changes = {}) {
-  json.begin_object();
-  json.add("code", d.code->name);
-  json.add("severity", severity_name(d.severity));
-  json.add("message", d.message);
+  json.add(
+      {{"code", d.code->name}, {"severity", severity_name(d.severity)}, {"message", d.message}});
   if (!d.notes.empty()) {
-    json.begin_array("notes");
-    for (const std::string& note : d.notes) {
-      json.value(note);
-    }
-    json.end_array();
+    json.add("notes", d.notes);
   }
   if (!d.file.empty()) {
     json.add("file", d.file);
@@ -53,7 +42,6 @@ void add_finding(Json& json, const Diagnostic& d, const std::vector<Replacement>
   if (d.correction) {
     add_correction(json, *d.correction, changes);
   }
-  json.end_object();
 }
 
 // The value of an option.
@@ -111,14 +99,12 @@ bool is_set(const T&) {
 
 void begin_document(Json& json, std::string_view command) {
   json.begin_object();
-  json.add("scenefile", SCENEFILE_VERSION);
-  json.add("command", command);
+  json.add({{"scenefile", SCENEFILE_VERSION}, {"command", command}});
 }
 
 void add_location(Json& json, Location location) {
   if (location.known()) {
-    json.add("line", location.line);
-    json.add("column", location.column);
+    json.add({{"line", location.line}, {"column", location.column}});
   }
 }
 
@@ -128,24 +114,18 @@ void add_scene(Json& json, const LoadedScene& scene, const FixReport* fixes) {
   if (scene.unreadable) {
     json.add("error", scene.unreadable->text);
   }
-  json.add("verdict", verdict_word(verdict_of(scene)));
-  json.add("errors", scene.diagnostics.count(Severity::error));
-  json.add("warnings", scene.diagnostics.count(Severity::warning));
-  json.add("notes", scene.diagnostics.count(Severity::note));
-  json.add("not_listed", scene.diagnostics.dropped());
-  json.begin_array("findings");
+  json.add({{"verdict", verdict_word(verdict_of(scene))},
+            {"errors", scene.diagnostics.count(Severity::error)},
+            {"warnings", scene.diagnostics.count(Severity::warning)},
+            {"notes", scene.diagnostics.count(Severity::note)},
+            {"not_listed", scene.diagnostics.dropped()}});
   const std::vector<const Diagnostic*> findings = by_place(scene.diagnostics);
   const std::vector<std::vector<Replacement>> changes = replacements(scene.text, findings);
-  for (std::size_t i = 0; i < findings.size(); ++i) {
-    add_finding(json, *findings[i], changes[i]);
-  }
-  json.end_array();
+  json.add_objects("findings", findings, [&, i = std::size_t{0}](const Diagnostic* d) mutable {
+    add_finding(json, *d, changes[i++]);
+  });
   if (fixes != nullptr) {
-    json.begin_array("fixed");
-    for (const Diagnostic& d : fixes->made) {
-      add_finding(json, d);
-    }
-    json.end_array();
+    json.add_objects("fixed", fixes->made, [&](const Diagnostic& d) { add_finding(json, d); });
     if (!fixes->error.empty()) {
       json.add("write_error", fixes->error);
     }
@@ -184,14 +164,12 @@ void add_render_options(Json& json, const RenderOptions& options) {
 }
 
 void add_realtime_options(Json& json, const RealtimeOptions& options) {
-  json.add("milestone", word_of(options.milestone));
-  json.begin_array("parameters");
-  json.value(options.tessellation.parameter1);
-  json.value(options.tessellation.parameter2);
-  json.end_array();
-  json.add("near", options.near);
-  json.add("far", options.far);
-  json.add("filter", word_of(options.filter));
+  const auto& [parameter1, parameter2] = options.tessellation;
+  json.add({{"milestone", word_of(options.milestone)},
+            {"parameters", std::array{parameter1, parameter2}},
+            {"near", options.near},
+            {"far", options.far},
+            {"filter", word_of(options.filter)}});
 }
 
 }  // namespace scenefile

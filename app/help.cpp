@@ -24,70 +24,6 @@ namespace scenefile::app {
 
 namespace {
 
-// Headings for groups of options. Options in no group are under the last heading.
-struct Heading {
-  std::string_view title;
-  std::vector<std::string_view> options;
-};
-
-const std::vector<Heading>& headings() {
-  static const std::vector<Heading> all{
-      {"Picture",
-       {"--size", "--crop", "--pixel", "--sample", "--engine", "--profile", "--mode", "--features",
-        "--fresnel", "--max-depth", "--segments"}},
-      {"Realtime", {"--milestone", "--parameters", "--near", "--far", "--filter"}},
-      {"Motion", {"--turntable", "--path", "--range", "--fps"}},
-      {"Quality", {"--samples", "--min-samples", "--seed", "--denoise"}},
-      {"Paths",
-       {"--time", "--light-samples", "--no-mis", "--direct-only", "--continue", "--convention",
-        "--clamp", "--tone", "--exposure"}},
-      {"Layers", {"--aov"}},
-      {"Comparison",
-       {"--references", "--scenes", "--map", "--scene", "--reference", "--mine", "--layer",
-        "--min-psnr", "--max-mean", "--max-difference", "--max-share", "--pixel-threshold",
-        "--min-ssim", "--max-flip"}},
-      {"Window", {"--window", "--trace", "--screenshot", "--frames", "--script"}},
-      {"Input",
-       {"--compat", "--asset-root", "--allow-outside", "--allow-missing", "--no-assets",
-        "--stdio"}},
-      {"Findings", {"--strict", "--deny", "--allow", "--fix", "--dry-run"}},
-      {"Limits", {"--threads", "--limit", "--max-memory", "--timeout"}},
-      {"Output",
-       {"--output", "--to",        "--store",   "--part",         "--missing",    "--write-scenes",
-        "--video",  "--overwrite", "--heatmap", "--energy",       "--sheet",      "--report",
-        "--pages",  "--title",     "--csv",     "--csv-students", "--junit",      "--gradescope",
-        "--check",  "--files",     "--tree",    "--man",          "--completion", "--json",
-        "--sarif",  "--markdown",  "--quiet",   "--help"}},
-      {"Other", {}},
-  };
-  return all;
-}
-
-// The options of a command under a heading, in the heading's order.
-std::vector<const OptionRow*> options_under(const Heading& heading, const Command& command) {
-  const auto place = [&](const std::vector<std::string_view>& names, const OptionRow& row) {
-    return std::find(names.begin(), names.end(), row.name);
-  };
-  const auto is_here = [&](const OptionRow& row) {
-    if (!heading.options.empty()) {
-      return place(heading.options, row) != heading.options.end();
-    }
-    return std::none_of(headings().begin(), headings().end(), [&](const Heading& other) {
-      return place(other.options, row) != other.options.end();
-    });
-  };
-  std::vector<const OptionRow*> rows;
-  for (const OptionRow& row : option_table()) {
-    if ((row.commands & command.bit) != 0 && is_here(row)) {
-      rows.push_back(&row);
-    }
-  }
-  std::stable_sort(rows.begin(), rows.end(), [&](const OptionRow* a, const OptionRow* b) {
-    return place(heading.options, *a) < place(heading.options, *b);
-  });
-  return rows;
-}
-
 // The start of the second column.
 std::size_t second_column(std::size_t width, std::size_t usual) {
   return width >= usual + 40 ? usual : 6;
@@ -231,12 +167,12 @@ std::string command_text(const Command& command) {
   std::string text =
       fmt::format("{}\n\n{}\n", wrapped(usage_text(command) + " [options]", 0, 6, width),
                   wrapped(command.description, 0, 0, width));
-  for (const Heading& heading : headings()) {
-    const std::vector<const OptionRow*> rows = options_under(heading, command);
-    text += rows.empty() ? "" : fmt::format("\n{}:\n", heading.title);
-    for (const OptionRow* row : rows) {
-      text += option_text(*row, width);
+  for (const OptionGroup& group : option_groups()) {
+    std::string rows;
+    for (const OptionRow& row : group.rows) {
+      rows += (row.commands & command.bit) != 0 ? option_text(row, width) : "";
     }
+    text += rows.empty() ? "" : fmt::format("\n{}:\n{}", group.heading, rows);
   }
   text += "\nExamples:\n" + example_text(command.examples, width);
   return is_family(command.name)

@@ -31,15 +31,25 @@ inline constexpr unsigned for_realtime =
     for_render | for_explain | for_frames | for_check | for_info | for_view | for_pictures;
 inline constexpr unsigned for_all_readers = for_tracing | for_check | for_info | for_convert;
 
+/// How an option is parsed.
+struct OptionParser {
+  template <typename Set>
+  constexpr OptionParser(Set function, std::span<const std::string_view> accepted = {})
+      : set(function), words(accepted) {}
+
+  /// Parses the value. Returns an error text, as a phrase that follows "--name: "; empty on
+  /// success.
+  std::string (*set)(Options& options, const std::string& value);
+  std::span<const std::string_view> words;  ///< words_of()
+};
+
 struct OptionRow {
   std::string_view name;    ///< "--size"
   std::string_view letter;  ///< "-o", or empty
   std::string_view value;   ///< "WxH"; empty: a flag
   std::string_view help;
   unsigned commands;  ///< a combination of for_... bits
-  /// Parses the value. Returns an error text, as a phrase that follows "--name: "; empty on
-  /// success.
-  std::string (*set)(Options& options, const std::string& value);
+  OptionParser parser;
   /// The field of RenderOptions that it sets, which determines the engines and profiles that
   /// support it (visit_options.h); if empty, `support` does.
   std::string_view field = {};
@@ -47,8 +57,14 @@ struct OptionRow {
   bool sets_defaults = false;  ///< affects the defaults of other options, so it is parsed first
 };
 
+/// Options under a heading of the help.
+struct OptionGroup {
+  std::string_view heading;
+  std::span<const OptionRow> rows;
+};
+
 /// In the order of the help.
-std::span<const OptionRow> option_table();
+std::span<const OptionGroup> option_groups();
 
 /// Those of a command.
 std::vector<const OptionRow*> options_of(const Command& command);

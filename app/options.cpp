@@ -67,7 +67,7 @@ std::string set_given(Options& options) {
   std::stable_partition(options.given.begin(), options.given.end(),
                         [](const GivenOption& given) { return given.row->sets_defaults; });
   for (const auto& [row, value] : options.given) {
-    if (const std::string wrong = row->set(options, value); !wrong.empty()) {
+    if (const std::string wrong = row->parser.set(options, value); !wrong.empty()) {
       return fmt::format("{}: {}", row->name, wrong);
     }
   }
@@ -84,12 +84,12 @@ std::string unknown_option(const Command& command, const std::string& word) {
                      did_you_mean(name, known));
 }
 
-std::string missing_value(std::string_view words) {
+std::string missing_value(const Command& command, std::string_view words) {
   // CLI11: "--size: 1 required TEXT missing".
   const std::string_view name = words.substr(0, words.find(':'));
-  for (const OptionRow& row : option_table()) {
-    if (row.name == name) {
-      return fmt::format("{} needs a value: {} {}", name, name, row.value);
+  for (const OptionRow* row : options_of(command)) {
+    if (row->name == name) {
+      return fmt::format("{} needs a value: {} {}", name, name, row->value);
     }
   }
   return std::string(words);
@@ -442,7 +442,7 @@ std::string parse_options(const Command& command, std::span<const char* const> w
   try {
     parser.parse(std::vector<std::string>(all.rbegin(), all.rend()));
   } catch (const CLI::ArgumentMismatch& error) {
-    return missing_value(error.what());
+    return missing_value(command, error.what());
   } catch (const CLI::ParseError& error) {
     return escaped(error.what());
   }
@@ -541,7 +541,7 @@ RenderOptions render_options(const Options& options, Profile profile) {
   other.render = default_options(profile);
   for (const auto& [row, value] : options.given) {
     if (!row->sets_defaults) {
-      row->set(other, value);
+      row->parser.set(other, value);
     }
   }
   return other.render;

@@ -21,7 +21,7 @@ using ::testing::Not;
 const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 // A scene in the folder "fun" that uses a mesh of that name.
-struct AssetRules : ::testing::Test {
+struct AssetRules : ProgramFolder {
   void SetUp() override { folder.write("fun/sub/a.obj", triangle); }
 
   std::string scene(const std::string& file) const {
@@ -42,8 +42,6 @@ struct AssetRules : ::testing::Test {
   std::string found(const std::string& rule, const std::string& path) const {
     return rule + ": " + folder.path(path) + "\n";
   }
-
-  TempFolder folder;
 };
 
 TEST_F(AssetRules, AbsoluteInsideARoot) {
@@ -53,7 +51,6 @@ TEST_F(AssetRules, AbsoluteInsideARoot) {
 TEST_F(AssetRules, NextToTheScene) {
   EXPECT_THAT(told("sub/a.obj"), HasSubstr(found("next to the scene", "fun/sub/a.obj")));
   EXPECT_THAT(told("sub\\a.obj"), HasSubstr(found("next to the scene", "fun/sub/a.obj")));
-  EXPECT_THAT(told(":/sub/a.obj"), HasSubstr(found("next to the scene", "fun/sub/a.obj")));
 }
 
 TEST_F(AssetRules, InTheParentFolder) {
@@ -61,12 +58,6 @@ TEST_F(AssetRules, InTheParentFolder) {
   folder.write("other/c.obj", triangle);
   EXPECT_THAT(told("mesh/b.obj"), HasSubstr(found("next to the scene's folder", "mesh/b.obj")));
   EXPECT_THAT(told("other/c.obj"), HasSubstr("no such file"));
-}
-
-TEST_F(AssetRules, InTheWorkingDirectory) {
-  folder.write("fun/work/deep/d.obj", triangle);
-  EXPECT_THAT(told("deep/d.obj", {}, {.folder = folder.path("fun/work")}),
-              HasSubstr(found("in the working directory", "fun/work/deep/d.obj")));
 }
 
 TEST_F(AssetRules, UnderTheAssetRootsInTheirOrder) {

@@ -126,7 +126,7 @@ TEST_F(Layout, SpellingsOfOtherSystems) {
   finds("C:/Resources/marble.png", "scenes/Resources/marble.png", AssetRule::path_suffix);
   finds("\\\\server\\share\\Resources\\marble.png", "scenes/Resources/marble.png",
         AssetRule::path_suffix);
-  finds(":/Resources/marble.png", "scenes/Resources/marble.png", AssetRule::scene_folder);
+  finds(":/Resources/marble.png", "scenes/Resources/marble.png", AssetRule::path_suffix);
   finds("file:Resources/marble.png", "scenes/Resources/marble.png", AssetRule::scene_folder);
   finds("file://" + home.path("scenes/Resources/marble.png"), "scenes/Resources/marble.png",
         AssetRule::absolute);
@@ -175,10 +175,10 @@ TEST_F(Layout, ALargeFolderIsNotSearched) {
   home.write("small/a");
   const std::vector<std::string> roots{home.path("large"), home.path("small")};
   const AssetIndex all(roots, 5);  // four files and a folder
-  EXPECT_EQ(all.find("a", false).size(), 2U);
+  EXPECT_EQ(all.find("a").size(), 2U);
   EXPECT_THAT(all.skipped(), IsEmpty());
   const AssetIndex some(roots, 4);
-  EXPECT_THAT(some.find("a", false), ::testing::ElementsAre(home.path("small/a")));
+  EXPECT_THAT(some.find("a"), ::testing::ElementsAre(home.path("small/a")));
   EXPECT_THAT(some.skipped(), ::testing::ElementsAre(home.path("large")));
 }
 
@@ -234,15 +234,13 @@ TEST_F(Layout, OutsideOnDemand) {
   finds(roots, "loose.png", "loose.png", AssetRule::scene_parent);
 }
 
-TEST_F(Layout, TheWorkingDirectoryIfInsideARoot) {
-  home.write("scenes/work/sub/a.png");
-  home.write("secret/b.png");
-  const std::filesystem::path old = std::filesystem::current_path();
-  std::filesystem::current_path(home.path("scenes/work"));
-  finds("sub/a.png", "scenes/work/sub/a.png", AssetRule::current_folder);
-  std::filesystem::current_path(home.path("secret"));
-  misses("b.png");
-  std::filesystem::current_path(old);
+TEST_F(Layout, TheLikeliestOfSeveralFilesWithTheName) {
+  home.write("scenes/x/image/Wood.png", "tail");
+  home.write("scenes/y/wood.png", "exact");
+  finds("old/Image/wood.png", "scenes/x/image/Wood.png", AssetRule::path_suffix);
+  finds("old/other/wood.png", "scenes/y/wood.png", AssetRule::base_name);
+  home.write("scenes/z/IMAGE/Wood.png");
+  EXPECT_THAT(misses("old/Image/wood.png"), HasSubstr("2 files have its name"));
 }
 
 TEST_F(Layout, StandardInputHasOnlyTheGivenRoots) {

@@ -81,16 +81,9 @@ AssetIndex::AssetIndex(const std::vector<std::string>& roots, std::size_t max_en
   }
 }
 
-std::vector<std::string> AssetIndex::find(std::string_view base_name, bool any_case) const {
+std::vector<std::string> AssetIndex::find(std::string_view base_name) const {
   const auto found = by_lower_name_.find(lower_case(base_name));
-  if (found == by_lower_name_.end()) {
-    return {};
-  }
-  std::vector<std::string> paths = found->second;
-  if (!any_case) {
-    std::erase_if(paths, [&](const std::string& p) { return base_name_of(p) != base_name; });
-  }
-  return paths;
+  return found == by_lower_name_.end() ? std::vector<std::string>() : found->second;
 }
 
 }  // namespace scenefile

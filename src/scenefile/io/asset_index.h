@@ -18,8 +18,8 @@ class AssetIndex {
 
   AssetIndex(const std::vector<std::string>& roots, std::size_t max_entries);
 
-  /// Paths of files with this base name; `any_case` ignores case.
-  std::vector<std::string> find(std::string_view base_name, bool any_case) const;
+  /// Paths of files with this base name, ignoring case.
+  std::vector<std::string> find(std::string_view base_name) const;
   /// Roots that were too large to search.
   const std::vector<std::string>& skipped() const { return skipped_; }
 

@@ -10,6 +10,7 @@ namespace scenefile {
 namespace {
 
 constexpr std::size_t max_name_bytes = 4095;  // PATH_MAX of Linux
+constexpr std::string_view file_scheme = "file:";
 
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -27,19 +28,6 @@ std::size_t scheme_length(std::string_view text) {
   const std::string scheme = lower_case(text.substr(0, length));
   const bool slashes = text.substr(length + 1).starts_with("//");
   return slashes || scheme == "data" || scheme == "file" ? length : 0;
-}
-
-std::string_view without_file_scheme(std::string_view text) {
-  if (scheme_length(text) == 0) {
-    return text;
-  }
-  text.remove_prefix(5);
-  for (const std::string_view host : {"//localhost/", "///"}) {
-    if (text.starts_with(host)) {
-      text.remove_prefix(host.size() - 1);
-    }
-  }
-  return text;
 }
 
 }  // namespace
@@ -62,17 +50,10 @@ std::string_view reject_name(std::string_view written) {
 }
 
 AssetName parse_name(std::string_view written) {
-  std::string text(without_file_scheme(written));
+  std::string text(written.substr(scheme_length(written) == 0 ? 0 : file_scheme.size()));
   std::replace(text.begin(), text.end(), '\\', '/');
-  if (text.starts_with(":/")) {
-    text.erase(0, 2);
-  }
   AssetName name;
-  if (text.size() >= 2 && is_letter(text[0]) && text[1] == ':') {
-    name.absolute = true;
-    text.erase(0, 2);
-  }
-  name.absolute = name.absolute || text.starts_with('/');
+  name.absolute = text.starts_with('/');
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('/', at), text.size());
     std::string part = text.substr(at, end - at);

@@ -7,8 +7,7 @@
 
 namespace scenefile {
 
-/// The components of a written name. `\` counts as `/`. A leading `:/` (a Qt resource), `file:` and
-/// a drive letter are dropped.
+/// The components of a written name. `\` counts as `/`. A leading `file:` is dropped.
 struct AssetName {
   bool absolute = false;
   std::vector<std::string> parts;  ///< without empty ones and "."

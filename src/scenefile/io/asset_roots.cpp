@@ -79,8 +79,6 @@ std::string_view rule_text(AssetRule rule) {
       return "next to the scene";
     case AssetRule::scene_parent:
       return "next to the scene's folder";
-    case AssetRule::current_folder:
-      return "in the working directory";
     case AssetRule::asset_root:
       return "in an asset root";
     case AssetRule::path_suffix:
@@ -141,7 +139,7 @@ class AssetSearch {
       : roots_(roots), written_(written), name_(parse_name(written)) {}
 
   ResolvedAsset run() {
-    if (!by_path() && !by_suffix() && !by_case() && !by_base_name()) {
+    if (!by_path() && !by_suffix() && !by_base_name()) {
       explain();
     }
     return std::move(result_);
@@ -181,19 +179,14 @@ class AssetSearch {
     if (name_.absolute) {
       return take("/" + path, AssetRule::absolute);
     }
-    if (below(roots_.scene_folder_, path, AssetRule::scene_folder) ||
-        below(roots_.scene_parent_, path, AssetRule::scene_parent)) {
-      return true;
-    }
-    const std::string here = canonical(".");
-    return (roots_.contains(here) && below(here, path, AssetRule::current_folder)) ||
-           by_given(path);
+    return below(roots_.scene_folder_, path, AssetRule::scene_folder) ||
+           below(roots_.scene_parent_, path, AssetRule::scene_parent) ||
+           by_given(path, AssetRule::asset_root);
   }
 
-  bool by_given(const std::string& path) {
-    return std::any_of(roots_.given_.begin(), roots_.given_.end(), [&](const std::string& root) {
-      return take(joined(root, path), AssetRule::asset_root);
-    });
+  bool by_given(const std::string& path, AssetRule rule) {
+    return std::any_of(roots_.given_.begin(), roots_.given_.end(),
+                       [&](const std::string& root) { return below(root, path, rule); });
   }
 
   // Tries the longest suffix first: /course/cs123/data/image/x.png, ..., image/x.png, x.png.
@@ -201,55 +194,39 @@ class AssetSearch {
     for (std::size_t first = first_plain_part(name_); first < name_.parts.size(); ++first) {
       const std::string path = join_parts(name_.parts, first);
       if (below(roots_.scene_folder_, path, AssetRule::path_suffix) ||
-          below(roots_.scene_parent_, path, AssetRule::path_suffix)) {
+          below(roots_.scene_parent_, path, AssetRule::path_suffix) ||
+          by_given(path, AssetRule::path_suffix)) {
         return true;
-      }
-      for (const std::string& root : roots_.given_) {
-        if (take(joined(root, path), AssetRule::path_suffix)) {
-          return true;
-        }
       }
     }
     return false;
   }
 
-  // The longest suffix of at least two components, ignoring case, if only one file matches.
-  bool by_case() {
-    std::size_t longest = 1;
+  // Of the files with its base name, ignoring case, the one with the longest end of its path in
+  // common; of several, the one that has the name exactly.
+  bool by_base_name() {
+    if (name_.parts.empty() || name_.parts.back() == "..") {
+      return false;
+    }
     std::vector<std::string> best;
-    for (const std::string& path : candidates(true)) {
-      const std::size_t length = common_ending(path, name_);
-      if (length > longest) {
+    std::pair<std::size_t, bool> most;
+    for (const std::string& path : roots_.index().find(name_.parts.back())) {
+      const std::pair likeness(common_ending(path, name_),
+                               path.ends_with("/" + name_.parts.back()));
+      if (likeness > most) {
         best.clear();
-        longest = length;
+        most = likeness;
       }
-      if (length == longest && length > 1) {
+      if (likeness == most) {
         best.push_back(path);
       }
     }
-    return best.size() == 1 && take(best[0], AssetRule::path_suffix);
-  }
-
-  bool by_base_name() {
-    for (const bool any_case : {false, true}) {
-      const std::vector<std::string> paths = candidates(any_case);
-      if (paths.size() == 1) {
-        return take(paths[0], AssetRule::base_name);
-      }
-      if (paths.size() > 1) {
-        obstacle_ = fmt::format("{} files have its name, such as {} and {}", paths.size(),
-                                escaped(paths[0], PATH_MAX), escaped(paths[1], PATH_MAX));
-        return false;
-      }
+    if (best.size() > 1) {
+      obstacle_ = fmt::format("{} files have its name, such as {} and {}", best.size(),
+                              escaped(best[0], PATH_MAX), escaped(best[1], PATH_MAX));
     }
-    return false;
-  }
-
-  std::vector<std::string> candidates(bool any_case) {
-    if (name_.parts.empty() || name_.parts.back() == "..") {
-      return {};
-    }
-    return roots_.index().find(name_.parts.back(), any_case);
+    return best.size() == 1 &&
+           take(best[0], most.first > 1 ? AssetRule::path_suffix : AssetRule::base_name);
   }
 
   // The message does not reveal whether a file outside the roots exists, so that scenes cannot be

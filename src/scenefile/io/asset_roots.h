@@ -14,13 +14,12 @@ namespace scenefile {
 
 /// How a file was found, in the order in which the rules are tried.
 enum class AssetRule : std::uint8_t {
-  absolute,        ///< as written, inside a root
-  scene_folder,    ///< next to the scene
-  scene_parent,    ///< next to the scene's folder: image(s), texture(s), mesh(es), model(s)
-  current_folder,  ///< in the working directory, if it is inside a root
-  asset_root,      ///< under an --asset-root
-  path_suffix,     ///< the end of the written path, in a root; finally ignoring case
-  base_name,       ///< the base name, if it is unique below the roots
+  absolute,      ///< as written, inside a root
+  scene_folder,  ///< next to the scene
+  scene_parent,  ///< next to the scene's folder: image(s), texture(s), mesh(es), model(s)
+  asset_root,    ///< under an --asset-root
+  path_suffix,   ///< the end of the written path, in a root
+  base_name,     ///< the base name, below the roots
   not_found,
 };
 

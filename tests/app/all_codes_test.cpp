@@ -29,7 +29,7 @@ struct Recipe {
   std::function<ProgramRun()> near_miss;
 };
 
-class AllCodes : public ::testing::Test {
+class AllCodes : public ProgramFolder {
  protected:
   // The file for the code in tests/fixtures/commands.
   static std::string file(const std::string& code, const std::string& ending) {
@@ -114,8 +114,6 @@ class AllCodes : public ::testing::Test {
         {"xml.nesting-limit", limited("codes/scene.empty.ok.xml", "nesting=3")},
     };
   }
-
-  TempFolder folder;
 };
 
 bool says(const ProgramRun& run, const std::string& code) {

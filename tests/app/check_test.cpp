@@ -18,9 +18,7 @@ using ::testing::Not;
 const std::string textured =
     R"(<diffuse r="1" g="0.5" b="0"/><blend v="1"/><texture file="image/no.png" u="1" v="1"/>)";
 
-struct Check : ::testing::Test {
-  TempFolder folder;
-};
+struct Check : ProgramFolder {};
 
 TEST_F(Check, AFineSceneIsReportedAsFine) {
   const std::string scene = folder.write("good.xml", good_scene);
@@ -33,7 +31,7 @@ TEST_F(Check, AFineSceneIsReportedAsFine) {
 
 TEST_F(Check, AMistakeIsShownInItsLine) {
   folder.write("bad.xml", scene_with(R"(<diffuse r="red" g="0.5" b="0"/>)"));
-  const ProgramRun run = run_program({"check", "bad.xml"}, {.folder = folder.path()});
+  const ProgramRun run = program({"check", "bad.xml"});
   EXPECT_EQ(run.status, 1);
   EXPECT_EQ(run.err, "");
   EXPECT_THAT(run.out, HasSubstr("bad.xml:15:"));
@@ -86,7 +84,7 @@ TEST_F(Check, AFolderStandsForTheScenesInIt) {
   folder.write("class/anna/x.json", R"({"groups": []})");
   folder.write("class/results.xml", "<testsuites/>");
   folder.write("class/ben/bad.xml", "<scenefile>");
-  const ProgramRun run = run_program({"check", "class"}, {.folder = folder.path()});
+  const ProgramRun run = program({"check", "class"});
   EXPECT_EQ(run.status, 1);
   EXPECT_EQ(run.err, "class: skipped one file that is not a scene: class/results.xml\n");
   std::vector<std::size_t> places;
@@ -96,14 +94,14 @@ TEST_F(Check, AFolderStandsForTheScenesInIt) {
     EXPECT_NE(places.back(), std::string::npos) << line << run.out;
   }
   EXPECT_TRUE(std::is_sorted(places.begin(), places.end())) << run.out;
-  const ProgramRun json = run_program({"check", "--json", "class"}, {.folder = folder.path()});
+  const ProgramRun json = program({"check", "--json", "class"});
   EXPECT_EQ(parse_json(json.out)["scenes"].Size(), 4U);
   EXPECT_EQ(json.err, "");
 }
 
 TEST_F(Check, AFolderWithoutScenesCannotBeRead) {
   folder.write("class/notes.txt");
-  const ProgramRun run = run_program({"check", "class"}, {.folder = folder.path()});
+  const ProgramRun run = program({"check", "class"});
   EXPECT_EQ(run.status, 3);
   EXPECT_THAT(run.err, HasSubstr("class: there is no scene in this folder"));
 }
@@ -237,7 +235,7 @@ TEST_F(Check, NamesCannotForgeLines) {
 
 TEST_F(Check, LeavesNoFiles) {
   folder.write("s.xml", scene_with(textured));
-  run_program({"check", "s.xml"}, {.folder = folder.path()});
+  program({"check", "s.xml"});
   EXPECT_THAT(folder.list(), ::testing::ElementsAre("s.xml"));
   EXPECT_EQ(folder.read("s.xml"), scene_with(textured));
 }

@@ -17,9 +17,7 @@ using ::testing::Not;
 const std::string with_image =
     R"(<diffuse r="1" g="0.5" b="0"/><blend v="1"/><texture file="image/map.png" u="1" v="1"/>)";
 
-struct Convert : ::testing::Test {
-  TempFolder folder;
-
+struct Convert : ProgramFolder {
   // The files must exist, but are not opened.
   void make_folder(const std::string& name) {
     std::filesystem::create_directory(folder.path(name));

@@ -11,9 +11,7 @@ using namespace testing_support;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-struct DiffScenes : ::testing::Test {
-  TempFolder folder;
-};
+struct DiffScenes : ProgramFolder {};
 
 TEST_F(DiffScenes, EqualScenesHaveNoDifference) {
   const std::string a = folder.write("a.xml", good_scene);
@@ -30,7 +28,7 @@ TEST_F(DiffScenes, DifferencesHavePlacesInBothFiles) {
   std::string b = scene_with(R"(<diffuse r="1" g="0.25" b="0"/>)");
   b.insert(0, 1, '\n');
   folder.write("b.xml", b);
-  const ProgramRun run = run_program({"diff", "a.xml", "b.xml"}, {.folder = folder.path()});
+  const ProgramRun run = program({"diff", "a.xml", "b.xml"});
   EXPECT_EQ(run.status, 1);
   EXPECT_EQ(run.out, R"(--- a.xml
 +++ b.xml

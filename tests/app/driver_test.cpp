@@ -37,7 +37,7 @@ std::string config_text(const std::string& scene, const std::string& output,
   return text + "\tparallel = true\n\tacceleration = true\n";
 }
 
-struct Driver : ::testing::Test {
+struct Driver : ProgramFolder {
   ProgramRun drive(const std::string& config, const std::string& working_folder = "/") const {
     return run_program({config}, {.folder = working_folder, .program = projects_ray});
   }
@@ -58,8 +58,6 @@ struct Driver : ::testing::Test {
       EXPECT_TRUE(folder.read("driven.png") == folder.read("asked.png")) << scene;
     }
   }
-
-  TempFolder folder;
 };
 
 std::vector<std::string> scenes_in(const fs::path& root) {
@@ -265,7 +263,7 @@ TEST_F(Driver, ExplainsItselfAndItsUse) {
 }
 
 // A lamp over a floor, without lights.
-struct PathDriver : ::testing::Test {
+struct PathDriver : ProgramFolder {
   PathDriver() {
     folder.write("box.mtl",
                  "newmtl white\nKd .7 .7 .7\nKs .1 .1 .1\nNs 9\nnewmtl lamp\nKe 3 3 3\n");
@@ -300,7 +298,6 @@ struct PathDriver : ::testing::Test {
   }
 
   const std::string projects_path = fs::path(SCENEFILE_PROGRAM).parent_path() / "projects_path";
-  TempFolder folder;
 };
 
 TEST_F(PathDriver, KeysAreOptions) {

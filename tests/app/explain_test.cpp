@@ -13,7 +13,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-struct Explain : ::testing::Test {
+struct Explain : ProgramFolder {
   Explain() { scene = folder.write("scene.xml", good_scene); }
 
   ProgramRun explain(const std::string& pixel, std::vector<std::string> more = {},
@@ -23,7 +23,6 @@ struct Explain : ::testing::Test {
     return run_program(words, settings);
   }
 
-  TempFolder folder;
   std::string scene;
 };
 

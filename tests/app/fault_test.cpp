@@ -20,8 +20,9 @@ using namespace testing_support;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-TEST(Faults, AFullStandardOutputIsStatus3) {
-  const TempFolder folder;
+struct Faults : ProgramFolder {};
+
+TEST_F(Faults, AFullStandardOutputIsStatus3) {
   const std::string scene = folder.write("s.xml", good_scene);
   const std::vector<std::vector<std::string>> all{
       {"check", scene}, {"check", "--json", scene},
@@ -34,16 +35,14 @@ TEST(Faults, AFullStandardOutputIsStatus3) {
   }
 }
 
-TEST(Faults, AFullDeviceIsStatus3) {
-  const TempFolder folder;
+TEST_F(Faults, AFullDeviceIsStatus3) {
   const std::string scene = folder.write("s.xml", good_scene);
   const ProgramRun run = run_program({"render", scene, "-o", "/dev/full", "--size", "8x8"});
   EXPECT_EQ(run.status, 3);
   EXPECT_THAT(run.err, HasSubstr("/dev/full: cannot write: No space left on device"));
 }
 
-TEST(Faults, AnInterruptedRenderLeavesNoOutput) {
-  const TempFolder folder;
+TEST_F(Faults, AnInterruptedRenderLeavesNoOutput) {
   folder.write("s.xml", good_scene);
   folder.write("out.png", "old");
   for (const auto& [signal, status] : {std::pair(SIGINT, 130), {SIGTERM, 143}}) {
@@ -58,8 +57,7 @@ TEST(Faults, AnInterruptedRenderLeavesNoOutput) {
   }
 }
 
-TEST(Faults, EveryLongCommandStopsImmediately) {
-  const TempFolder folder;
+TEST_F(Faults, EveryLongCommandStopsImmediately) {
   folder.write("s.xml", good_scene);
   std::string huge = good_scene;
   const std::string block = "<transblock><object type=\"primitive\" name=\"cube\"/></transblock>\n";
@@ -71,9 +69,8 @@ TEST(Faults, EveryLongCommandStopsImmediately) {
   folder.write("huge.xml", huge.insert(at, blocks));
   const std::string size = "1200x900";
   for (const std::string name : {"a.png", "b.png"}) {
-    ASSERT_EQ(run_program({"render", "s.xml", "-o", name, "--size", size, "--mode",
-                           name == "a.png" ? "ray" : "normals"},
-                          {.folder = folder.path()})
+    ASSERT_EQ(program({"render", "s.xml", "-o", name, "--size", size, "--mode",
+                       name == "a.png" ? "ray" : "normals"})
                   .status,
               0);
   }
@@ -97,8 +94,7 @@ TEST(Faults, EveryLongCommandStopsImmediately) {
   }
 }
 
-TEST(Faults, EveryCommandObeysItsTimeout) {
-  const TempFolder folder;
+TEST_F(Faults, EveryCommandObeysItsTimeout) {
   std::string huge = good_scene;
   const std::string block = "<transblock><object type=\"primitive\" name=\"cube\"/></transblock>\n";
   std::string blocks;
@@ -118,18 +114,17 @@ TEST(Faults, EveryCommandObeysItsTimeout) {
            {"render", "huge.xml", "-o", "o.png"},
            {"render", "huge.xml", "-o", "o.png", "--engine=gl"}}) {
     words.insert(words.end(), {"--timeout", "0.02"});
-    const ProgramRun run = run_program(words, {.folder = folder.path()});
+    const ProgramRun run = program(words);
     EXPECT_EQ(run.status, 4) << words[0];
     EXPECT_THAT(run.err, HasSubstr("stopped: not finished within 0.02 s (--timeout)"));
     EXPECT_EQ(folder.list(), before) << words[0];
   }
 }
 
-TEST(Faults, OutOfMemoryIsStatus3) {
+TEST_F(Faults, OutOfMemoryIsStatus3) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "sanitizers need additional address space";
 #endif
-  const TempFolder folder;
   folder.write("s.xml", good_scene);
   const ProgramRun run = run_program({"render", "s.xml", "-o", "out.png", "--size", "40000x40000"},
                                      {.folder = folder.path(), .megabytes = 1000});
@@ -138,8 +133,7 @@ TEST(Faults, OutOfMemoryIsStatus3) {
   EXPECT_THAT(folder.list(), ElementsAre("s.xml"));
 }
 
-TEST(Faults, ThePictureDoesNotDependOnLocaleOrFolder) {
-  const TempFolder folder;
+TEST_F(Faults, ThePictureDoesNotDependOnLocaleOrFolder) {
   const std::string scene = folder.write("s.xml", good_scene);
   const std::vector<std::string> words{"render", scene, "-o", "-", "--size", "20x20"};
   const std::string picture = run_program(words).out;

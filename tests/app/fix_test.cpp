@@ -21,18 +21,13 @@ using ::testing::Not;
 const std::string right = scene_with(R"(<diffuse r="1" g="0.5" b="0"/>)");
 const std::string wrong = scene_with(R"(<difuse r="1" g="0,5" b="0"/>)");
 
-struct CheckFix : ::testing::Test {
-  ProgramRun run(const Words& words, const std::string& input = {}) {
-    return run_program(words, {.input = input, .folder = folder.path()});
-  }
-  TempFolder folder;
-};
+struct CheckFix : ProgramFolder {};
 
 TEST_F(CheckFix, RewritesFilesAndSaysHow) {
   const std::string file = folder.write("a.xml", wrong);
   folder.write("b.xml", right);
   ASSERT_EQ(::chmod(file.c_str(), 0640), 0);
-  const ProgramRun first = run({"check", "--fix", "a.xml", "b.xml"});
+  const ProgramRun first = program({"check", "--fix", "a.xml", "b.xml"});
   EXPECT_EQ(first.status, 0) << first.out;
   EXPECT_THAT(first.out, HasSubstr("a.xml:15:9: fixed: unknown element <difuse> in <object>; did "
                                    "you mean <diffuse>? [xml.misspelled-element]\n"));
@@ -43,12 +38,12 @@ TEST_F(CheckFix, RewritesFilesAndSaysHow) {
   ASSERT_EQ(::stat(file.c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777U, 0640U);
   EXPECT_EQ(folder.list().size(), 2U);
-  EXPECT_THAT(run({"check", "--fix", "a.xml"}).out, Not(HasSubstr("fixed")));
+  EXPECT_THAT(program({"check", "--fix", "a.xml"}).out, Not(HasSubstr("fixed")));
 }
 
 TEST_F(CheckFix, DryRunShowsAPatch) {
   folder.write("a.xml", wrong);
-  const ProgramRun dry = run({"check", "--dry-run", "a.xml"});
+  const ProgramRun dry = program({"check", "--dry-run", "a.xml"});
   EXPECT_EQ(dry.status, 0);
   EXPECT_THAT(dry.out,
               AllOf(::testing::StartsWith("--- a.xml\n+++ a.xml\n@@ -12,7 +12,7 @@\n"),
@@ -59,22 +54,22 @@ TEST_F(CheckFix, DryRunShowsAPatch) {
 }
 
 TEST_F(CheckFix, StandardInputBecomesStandardOutput) {
-  const ProgramRun fixed = run({"check", "--fix", "-"}, wrong);
+  const ProgramRun fixed = program({"check", "--fix", "-"}, wrong);
   EXPECT_EQ(fixed.status, 0);
   EXPECT_EQ(fixed.out, right);
   EXPECT_THAT(fixed.err, HasSubstr("<stdin>:15:9: fixed: "));
-  const ProgramRun same = run({"check", "--fix", "-"}, "<scenefile><object></scenefile>");
+  const ProgramRun same = program({"check", "--fix", "-"}, "<scenefile><object></scenefile>");
   EXPECT_EQ(same.status, 1);
   EXPECT_EQ(same.out, "<scenefile><object></scenefile>");
-  EXPECT_EQ(run({"check", "--fix", "--json", "-"}, wrong).status, 2);
+  EXPECT_EQ(program({"check", "--fix", "--json", "-"}, wrong).status, 2);
 }
 
 TEST_F(CheckFix, LinksAreFollowedAndAFileIsFixedOnce) {
   folder.write("a.xml", wrong);
   std::filesystem::create_symlink("a.xml", folder.path() + "/link.xml");
-  const ProgramRun dry = run({"check", "--dry-run", "a.xml", "link.xml"});
+  const ProgramRun dry = program({"check", "--dry-run", "a.xml", "link.xml"});
   EXPECT_EQ(dry.out.find("+++", dry.out.find("+++") + 1), std::string::npos);
-  EXPECT_EQ(run({"check", "--fix", "link.xml", "a.xml"}).status, 0);
+  EXPECT_EQ(program({"check", "--fix", "link.xml", "a.xml"}).status, 0);
   EXPECT_TRUE(std::filesystem::is_symlink(folder.path() + "/link.xml"));
   EXPECT_EQ(folder.read("a.xml"), right);
 }
@@ -85,12 +80,12 @@ TEST_F(CheckFix, WhatCannotBeWrittenStaysAsItIs) {
   EXPECT_EQ(failed.status, 3);
   EXPECT_THAT(failed.err, AllOf(HasSubstr("error: unknown element <difuse>"), HasSubstr("2 errors"),
                                 Not(HasSubstr("fixed"))));
-  EXPECT_EQ(run({"check", "--fix", "none.xml"}).status, 3);
+  EXPECT_EQ(program({"check", "--fix", "none.xml"}).status, 3);
 }
 
 TEST_F(CheckFix, JsonSaysWhatWasFixedAndWhatIsLeft) {
   folder.write("a.xml", scene_with(R"(<difuse r="1" g="1" b="x"/>)"));
-  const ProgramRun fixed = run({"check", "--fix", "--json", "a.xml"});
+  const ProgramRun fixed = program({"check", "--fix", "--json", "a.xml"});
   EXPECT_EQ(fixed.status, 1);
   const rapidjson::Document document = parse_json(fixed.out);
   const auto& scene = document["scenes"][0];
@@ -98,7 +93,7 @@ TEST_F(CheckFix, JsonSaysWhatWasFixedAndWhatIsLeft) {
   EXPECT_STREQ(scene["fixed"][0]["correction"]["instead"].GetString(), "diffuse");
   EXPECT_STREQ(scene["findings"][0]["code"].GetString(), "xml.number");
   folder.write("b.xml", wrong);
-  const rapidjson::Document plain = parse_json(run({"check", "--json", "b.xml"}).out);
+  const rapidjson::Document plain = parse_json(program({"check", "--json", "b.xml"}).out);
   const auto& change = plain["scenes"][0]["findings"][0]["correction"]["changes"][0];
   EXPECT_EQ(change["column"].GetInt(), 10);
   EXPECT_EQ(change["end_column"].GetInt(), 16);
@@ -107,13 +102,13 @@ TEST_F(CheckFix, JsonSaysWhatWasFixedAndWhatIsLeft) {
 
 TEST_F(CheckFix, AllowedCodesAreLeftAlone) {
   folder.write("a.xml", scene_with(R"(<Diffuse r="1" g="1" b="1"/>)"));
-  EXPECT_EQ(run({"check", "--dry-run", "--allow", "xml.name-case", "a.xml"}).out, "");
-  EXPECT_NE(run({"check", "--dry-run", "a.xml"}).out, "");
+  EXPECT_EQ(program({"check", "--dry-run", "--allow", "xml.name-case", "a.xml"}).out, "");
+  EXPECT_NE(program({"check", "--dry-run", "a.xml"}).out, "");
 }
 
 TEST_F(CheckFix, SarifHasFixes) {
   folder.write("a.xml", wrong);
-  const rapidjson::Document document = parse_json(run({"check", "--sarif", "a.xml"}).out);
+  const rapidjson::Document document = parse_json(program({"check", "--sarif", "a.xml"}).out);
   const auto& change = document["runs"][0]["results"][0]["fixes"][0]["artifactChanges"][0];
   EXPECT_STREQ(change["artifactLocation"]["uri"].GetString(), "a.xml");
   const auto& replacement = change["replacements"][0];

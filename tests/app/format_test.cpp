@@ -18,9 +18,7 @@ const std::string untidy =
 const std::string tidy =
     "<scenefile> <!-- it -->\n  <object type='tree' name=\"root\"/>\n</scenefile>\n";
 
-struct Format : ::testing::Test {
-  TempFolder folder;
-};
+struct Format : ProgramFolder {};
 
 TEST_F(Format, FormatsInPlace) {
   const std::string a = folder.write("a.xml", untidy);
@@ -42,9 +40,7 @@ TEST_F(Format, FormatsInPlace) {
 TEST_F(Format, CheckDoesNotChangeFiles) {
   folder.write("a.xml", untidy);
   folder.write("c.xml", tidy);
-  const auto in_folder = [&](std::vector<std::string> words) {
-    return run_program(words, {.folder = folder.path()});
-  };
+  const auto in_folder = [&](std::vector<std::string> words) { return program(words); };
   const ProgramRun run = in_folder({"format", "--check", "a.xml", "c.xml"});
   EXPECT_EQ(run.status, 1);
   EXPECT_EQ(run.out, "a.xml\n");
@@ -77,9 +73,7 @@ TEST_F(Format, OnlyScenesInAFolderAreChanged) {
   folder.write("in/results.xml", results);
   folder.write("in/.hidden.xml", untidy);
   folder.write("in/mesh.obj", untidy);
-  const auto in_folder = [&](const std::vector<std::string>& words) {
-    return run_program(words, {.folder = folder.path()});
-  };
+  const auto in_folder = [&](const std::vector<std::string>& words) { return program(words); };
   const ProgramRun check = in_folder({"format", "--check", "in"});
   EXPECT_EQ(check.status, 1);
   EXPECT_EQ(check.out, "in/a.xml\nin/deep/b.json\n");

@@ -32,23 +32,20 @@ bool shows(const std::string& frame, const std::string& picture) {
   return a && b && a->width == b->width && a->rgb == b->rgb;
 }
 
-struct FramesTest : ::testing::Test {
+struct FramesTest : ProgramFolder {
   FramesTest() {
     folder.write("scene.xml", good_scene);
     folder.write("views.json", path_of_views);
   }
 
-  ProgramRun run(const Words& words) const { return run_program(words, {.folder = folder.path()}); }
   ProgramRun frames(Words more) const {
     more.insert(more.begin(), {"frames", "scene.xml", "--size", "32x24"});
-    return run(more);
+    return program(more);
   }
   std::string render(const std::string& scene) const {
-    EXPECT_EQ(run({"render", scene, "-o", "one.png", "--size", "32x24"}).status, 0);
+    EXPECT_EQ(program({"render", scene, "-o", "one.png", "--size", "32x24"}).status, 0);
     return folder.read("one.png");
   }
-
-  TempFolder folder;
 };
 
 TEST_F(FramesTest, AreRendersOfTheirScenes) {
@@ -115,7 +112,7 @@ TEST_F(FramesTest, FilesContainTheirKey) {
     EXPECT_THAT(folder.read("f2" + end), HasSubstr("scenefile item 1: program="));
     EXPECT_THAT(folder.read("f2" + end), HasSubstr(" width=32 height=24 "));
     EXPECT_EQ(parse_json(frames(all).out)["skipped"].GetInt(), 2);
-    EXPECT_EQ(run({"diff", "f1" + end, "f1" + end}).status, 0);
+    EXPECT_EQ(program({"diff", "f1" + end, "f1" + end}).status, 0);
     if (end == ".png") {
       std::filesystem::remove(folder.path("f2.depth.png"));
       EXPECT_EQ(parse_json(frames(all).out)["drawn"].GetInt(), 1);
@@ -190,8 +187,8 @@ TEST_F(FramesTest, NoOtherSceneIsReplaced) {
   EXPECT_EQ(frames(words + Words{"--overwrite"}).status, 0);
   EXPECT_EQ(folder.read("t2.xml"), second);
   std::filesystem::copy_file(folder.path("scene.xml"), folder.path("own1.xml"));
-  const ProgramRun own =
-      run({"frames", "own1.xml", "--turntable", "3", "--write-scenes", "own%d.xml", "--overwrite"});
+  const ProgramRun own = program(
+      {"frames", "own1.xml", "--turntable", "3", "--write-scenes", "own%d.xml", "--overwrite"});
   EXPECT_EQ(own.status, 2);
   EXPECT_THAT(own.err, HasSubstr("the scene of a frame own1.xml would replace the scene own1.xml"));
   EXPECT_EQ(folder.read("own1.xml"), good_scene);
@@ -204,7 +201,7 @@ TEST_F(FramesTest, ScenesInAnotherFolderSayWhichFilesAreMissingThere) {
                           "v=\"1\"/>"));
   render("scene.xml");
   const ProgramRun out =
-      run({"frames", "textured.xml", "--turntable", "2", "--write-scenes", "far/away/s%d.xml"});
+      program({"frames", "textured.xml", "--turntable", "2", "--write-scenes", "far/away/s%d.xml"});
   EXPECT_EQ(out.status, 0) << out.err;
   EXPECT_THAT(out.err, AllOf(HasSubstr("\"one.png\" is not found from the folder of the output"),
                              HasSubstr("far/away/s%d.xml: 2 scenes written")));
@@ -218,10 +215,10 @@ TEST_F(FramesTest, OpenGlDrawsTheRendersOfTheirScenes) {
   }
   ASSERT_EQ(drawn.status, 0) << drawn.err;
   for (const std::string number : {"1", "2", "3"}) {
-    ASSERT_EQ(
-        run({"render", "s" + number + ".xml", "-o", "one.png", "--size", "32x24", "--engine", "gl"})
-            .status,
-        0);
+    ASSERT_EQ(program({"render", "s" + number + ".xml", "-o", "one.png", "--size", "32x24",
+                       "--engine", "gl"})
+                  .status,
+              0);
     EXPECT_TRUE(shows(folder.read("f" + number + ".png"), folder.read("one.png"))) << number;
   }
   EXPECT_FALSE(folder.read("f1.png") == folder.read("f2.png"));
@@ -233,7 +230,7 @@ TEST_F(FramesTest, OpenGlDrawsTheRendersOfTheirScenes) {
   EXPECT_EQ(frames({"--turntable", "3", "-o", "g%d.png", "--engine", "gl", "--denoise"}).status, 2);
   EXPECT_EQ(frames({"--turntable", "1", "-o", "r%d.png", "--profile", "realtime"}).status, 0);
   ASSERT_EQ(
-      run({"render", "scene.xml", "-o", "one.png", "--size", "32x24", "--profile", "realtime"})
+      program({"render", "scene.xml", "-o", "one.png", "--size", "32x24", "--profile", "realtime"})
           .status,
       0);
   EXPECT_TRUE(shows(folder.read("r1.png"), folder.read("one.png")));

@@ -18,7 +18,7 @@ namespace {
 using namespace testing_support;
 using ::testing::HasSubstr;
 
-struct RenderWithGl : ::testing::Test {
+struct RenderWithGl : ProgramFolder {
   ProgramRun render(std::vector<std::string> more, const std::string& size = "64x48") const {
     std::vector<std::string> words{"render", scene, "-o", folder.path("gl.png"), "--size", size};
     words.insert(words.end(), more.begin(), more.end());
@@ -35,7 +35,6 @@ struct RenderWithGl : ::testing::Test {
   }
   static bool has_gl(const ProgramRun& run) { return run.status != 3; }
 
-  TempFolder folder;
   std::string scene = folder.write("scene.xml", good_scene);
 };
 

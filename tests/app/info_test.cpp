@@ -11,9 +11,7 @@ using namespace testing_support;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-struct Info : ::testing::Test {
-  TempFolder folder;
-};
+struct Info : ProgramFolder {};
 
 TEST_F(Info, CountsAndMeasures) {
   const std::string scene = folder.write("s.xml", good_scene);

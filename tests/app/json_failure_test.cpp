@@ -17,28 +17,6 @@ using namespace testing_support;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// Scenes and pictures, good and bad.
-void write_failing_files(const TempFolder& folder) {
-  folder.write("good.xml", good_scene);
-  folder.write("broken.xml", "<scenefile><globaldata>");
-  folder.write("binary.xml", std::string("\x7f"
-                                         "ELF\0\0\1",
-                                         7));
-  folder.write("binary.png", std::string("\x89PNG\r\n\x1a\n\0\0", 10));
-  folder.write("empty.xml", "");
-  folder.write("broken.ini", "[IO]\nscene = good.xml\n");
-  folder.write("binary.ini", std::string("\0\1\2\xff", 4));
-  folder.write("binary.glb", "glTF");
-  folder.write("map.csv", "one,two,three\n");
-  folder.write("class/ann/a.png", "no picture");
-  std::filesystem::create_symlink("/dev/full", folder.path() + "/full.png");
-  folder.write("refs/a.png", "no picture");
-  ASSERT_EQ(run_program({"render", "good.xml", "-o", "good.png", "--size", "8x6", "--quiet"},
-                        {.folder = folder.path()})
-                .status,
-            0);
-}
-
 // Whether the value, or a part of it, is an object with an error: "error" of the answer, of a scene
 // or of a picture, or a finding that is one.
 bool says_error(const rapidjson::Value& value) {
@@ -153,12 +131,32 @@ const std::vector<FailingRun> failing_runs{
     {{"version", "--nothing"}, 2},
 };
 
-TEST(JsonFailure, EveryFailureIsAnsweredWithItsReason) {
-  const TempFolder folder;
-  write_failing_files(folder);
+// With scenes and pictures, good and bad.
+struct JsonFailure : ProgramFolder {
+  void SetUp() override {
+    folder.write("good.xml", good_scene);
+    folder.write("broken.xml", "<scenefile><globaldata>");
+    folder.write("binary.xml", std::string("\x7f"
+                                           "ELF\0\0\1",
+                                           7));
+    folder.write("binary.png", std::string("\x89PNG\r\n\x1a\n\0\0", 10));
+    folder.write("empty.xml", "");
+    folder.write("broken.ini", "[IO]\nscene = good.xml\n");
+    folder.write("binary.ini", std::string("\0\1\2\xff", 4));
+    folder.write("binary.glb", "glTF");
+    folder.write("map.csv", "one,two,three\n");
+    folder.write("class/ann/a.png", "no picture");
+    std::filesystem::create_symlink("/dev/full", folder.path("full.png"));
+    folder.write("refs/a.png", "no picture");
+    ASSERT_EQ(program({"render", "good.xml", "-o", "good.png", "--size", "8x6", "--quiet"}).status,
+              0);
+  }
+};
+
+TEST_F(JsonFailure, EveryFailureIsAnsweredWithItsReason) {
   for (const FailingRun& failing : failing_runs) {
     const std::string shown = ::testing::PrintToString(failing.words);
-    const ProgramRun run = run_program(failing.words + Words{"--json"}, {.folder = folder.path()});
+    const ProgramRun run = program(failing.words + Words{"--json"});
     EXPECT_EQ(run.status, failing.status) << shown << run.out << run.err;
     rapidjson::Document answer;
     ASSERT_FALSE(answer.Parse(run.out.c_str()).HasParseError()) << shown << run.out << run.err;
@@ -169,7 +167,7 @@ TEST(JsonFailure, EveryFailureIsAnsweredWithItsReason) {
   }
 }
 
-TEST(JsonFailure, CoversEveryCommandWithThatOption) {
+TEST_F(JsonFailure, CoversEveryCommandWithThatOption) {
   const rapidjson::Document help = parse_json(run_program({"help", "--json"}).out);
   int with_json = 0;
   for (const auto& command : help["commands"].GetArray()) {
@@ -191,12 +189,9 @@ TEST(JsonFailure, CoversEveryCommandWithThatOption) {
   EXPECT_EQ(with_json, 11);
 }
 
-TEST(JsonFailure, SaysInOneLineWhatIsSaidToPeople) {
-  const TempFolder folder;
-  write_failing_files(folder);
+TEST_F(JsonFailure, SaysInOneLineWhatIsSaidToPeople) {
   const auto reason = [&](const Words& words) {
-    return std::string(
-        parse_json(run_program(words, {.folder = folder.path()}).out)["error"].GetString());
+    return std::string(parse_json(program(words).out)["error"].GetString());
   };
   EXPECT_EQ(reason({"render", "none.ini", "--json"}),
             "none.ini: cannot open: No such file or directory");
@@ -208,11 +203,8 @@ TEST(JsonFailure, SaysInOneLineWhatIsSaidToPeople) {
               HasSubstr(R"("none" is not a readable folder or archive)"));
 }
 
-TEST(JsonFailure, ABrokenConfigurationIsDescribedLikeAScene) {
-  const TempFolder folder;
-  write_failing_files(folder);
-  const rapidjson::Document answer =
-      parse_json(run_program({"render", "broken.ini", "--json"}, {.folder = folder.path()}).out);
+TEST_F(JsonFailure, ABrokenConfigurationIsDescribedLikeAScene) {
+  const rapidjson::Document answer = parse_json(program({"render", "broken.ini", "--json"}).out);
   EXPECT_STREQ(answer["error"].GetString(), "the configuration cannot be used");
   const rapidjson::Value& configuration = answer["configuration"];
   EXPECT_STREQ(configuration["file"].GetString(), "broken.ini");
@@ -221,12 +213,10 @@ TEST(JsonFailure, ABrokenConfigurationIsDescribedLikeAScene) {
   EXPECT_STREQ(configuration["findings"][0]["code"].GetString(), "config.missing-key");
 }
 
-TEST(JsonFailure, OutOfMemoryIsAnswered) {
+TEST_F(JsonFailure, OutOfMemoryIsAnswered) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "sanitizers need additional address space";
 #endif
-  const TempFolder folder;
-  folder.write("good.xml", good_scene);
   const ProgramRun run =
       run_program({"render", "good.xml", "-o", "out.png", "--size", "40000x40000", "--json"},
                   {.folder = folder.path(), .megabytes = 1000});
@@ -234,17 +224,13 @@ TEST(JsonFailure, OutOfMemoryIsAnswered) {
   EXPECT_STREQ(parse_json(run.out)["error"].GetString(), "out of memory while tracing");
 }
 
-TEST(JsonFailure, NothingIsAddedToAnotherOutput) {
-  const TempFolder folder;
-  folder.write("good.xml", good_scene);
-  const ProgramRun converted = run_program({"convert", "good.xml", "-", "--to", "json", "--json"},
-                                           {.folder = folder.path()});
+TEST_F(JsonFailure, NothingIsAddedToAnotherOutput) {
+  const ProgramRun converted = program({"convert", "good.xml", "-", "--to", "json", "--json"});
   EXPECT_EQ(converted.status, 0);
   EXPECT_TRUE(parse_json(converted.out).HasMember("groups"));
   // Without the option, or after the end of options, people are told.
   for (const Words& words : {Words{"check", "none.xml"}, {"check", "none.xml", "--", "--json"}}) {
-    EXPECT_THAT(run_program(words, {.folder = folder.path()}).out, Not(HasSubstr("{")))
-        << words.size();
+    EXPECT_THAT(program(words).out, Not(HasSubstr("{"))) << words.size();
   }
 }
 

@@ -11,7 +11,7 @@ using namespace testing_support;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-struct RenderLayers : ::testing::Test {
+struct RenderLayers : ProgramFolder {
   RenderLayers() { scene = folder.write("scene.xml", good_scene); }
 
   ProgramRun render(std::vector<std::string> more, const std::string& output = "out.png") const {
@@ -22,7 +22,6 @@ struct RenderLayers : ::testing::Test {
 
   Texture picture(const std::string& name) const { return *decode_image(folder.read(name)); }
 
-  TempFolder folder;
   std::string scene;
 };
 

@@ -81,8 +81,9 @@ std::vector<std::vector<std::string>> all_uses(const std::string& scene) {
           {"render", scene, "-o", "o.png", "--size", "4x3", "--engine", "gl"}};
 }
 
-TEST(Limits, NestingUpToTheLimitNeedsNoStack) {
-  const TempFolder folder;
+struct ProgramLimits : ProgramFolder {};
+
+TEST_F(ProgramLimits, NestingUpToTheLimitNeedsNoStack) {
   folder.write("good.xml", good_scene);
   // 1,024 nested elements, and 1,000 nested templates.
   folder.write("deep.xml", deep_scene(510));
@@ -98,22 +99,20 @@ TEST(Limits, NestingUpToTheLimitNeedsNoStack) {
   }
 }
 
-TEST(Limits, TemplateBombsEndEveryCommand) {
-  const TempFolder folder;
+TEST_F(ProgramLimits, TemplateBombsEndEveryCommand) {
   folder.write("good.xml", good_scene);
   folder.write("bomb.xml", template_bomb(40));
   for (std::vector<std::string> words : all_uses("bomb.xml")) {
     // The OpenGL driver needs additional memory.
     const bool gl = words.back() == "gl";
     words.insert(words.end(), {"--max-memory", gl ? "2G" : "512M", "--timeout", "100"});
-    const ProgramRun run = run_program(words, {.folder = folder.path()});
+    const ProgramRun run = program(words);
     EXPECT_THAT((std::set{0, 1, 3, 4}), ::testing::Contains(run.status))
         << ::testing::PrintToString(words) << run.err;
   }
 }
 
-TEST(Limits, EachIsSetByName) {
-  const TempFolder folder;
+TEST_F(ProgramLimits, EachIsSetByName) {
   const std::string scene = folder.write("deep.xml", deep_scene(50));
   EXPECT_EQ(run_program({"check", scene}).status, 0);
   const ProgramRun run = run_program({"check", scene, "--limit", "nesting=40"});
@@ -125,14 +124,14 @@ TEST(Limits, EachIsSetByName) {
   EXPECT_EQ(run_program({"check", folder.path("deeper.xml"), "--limit=nesting=2000"}).status, 0);
 }
 
-TEST(Limits, AreListedWithTheirDefaults) {
+TEST_F(ProgramLimits, AreListedWithTheirDefaults) {
   const ProgramRun run = run_program({"help", "limits"});
   EXPECT_EQ(run.status, 0);
   EXPECT_THAT(run.out, HasSubstr("  nesting                 1024  nested elements"));
   EXPECT_THAT(run.out, HasSubstr("  file-bytes                1G  "));
 }
 
-TEST(Limits, InvalidLimitsAreUsageErrors) {
+TEST_F(ProgramLimits, InvalidLimitsAreUsageErrors) {
   const auto mistake = [](const std::string& option, const std::string& value) {
     const ProgramRun run = run_program({"check", "a.xml", option, value});
     EXPECT_EQ(run.status, 2) << value;
@@ -149,8 +148,7 @@ TEST(Limits, InvalidLimitsAreUsageErrors) {
   EXPECT_THAT(mistake("--timeout", "soon"), HasSubstr("not a number of seconds"));
 }
 
-TEST(Limits, TemplateBombsAreCountedAndRenderedAsInstances) {
-  const TempFolder folder;
+TEST_F(ProgramLimits, TemplateBombsAreCountedAndRenderedAsInstances) {
   const std::string scene = folder.write("bomb.xml", template_bomb(40));
   EXPECT_THAT(run_program({"info", scene}).out, HasSubstr("about 1e+40"));
   const ProgramRun run = run_program({"render", scene, "-o", folder.path("o.png"), "--size", "8x6",
@@ -158,34 +156,29 @@ TEST(Limits, TemplateBombsAreCountedAndRenderedAsInstances) {
   EXPECT_THAT((std::set{0, 4}), ::testing::Contains(run.status)) << run.err;
 }
 
-TEST(Limits, TheTimeoutLeavesNoOutput) {
-  const TempFolder folder;
+TEST_F(ProgramLimits, TheTimeoutLeavesNoOutput) {
   folder.write("s.xml", good_scene);
   folder.write("out.png", "old");
   const ProgramRun run =
-      run_program({"render", "s.xml", "-o", "out.png", "--size", "8000x8000", "--timeout", "0.3"},
-                  {.folder = folder.path()});
+      program({"render", "s.xml", "-o", "out.png", "--size", "8000x8000", "--timeout", "0.3"});
   EXPECT_EQ(run.status, 4);
   EXPECT_EQ(run.err, "scenefile: stopped: not finished within 0.3 s (--timeout)\n");
   EXPECT_EQ(folder.read("out.png"), "old");
   EXPECT_THAT(folder.list(), ElementsAre("out.png", "s.xml"));
 }
 
-TEST(Limits, AGenerousTimeoutChangesNothing) {
-  const TempFolder folder;
+TEST_F(ProgramLimits, AGenerousTimeoutChangesNothing) {
   const std::string scene = folder.write("s.xml", good_scene);
   EXPECT_EQ(run_program({"check", scene, "--timeout", "100", "--max-memory", "2G"}).status, 0);
 }
 
-TEST(Limits, ExceedingTheMemoryLimitIsStatus4) {
+TEST_F(ProgramLimits, ExceedingTheMemoryLimitIsStatus4) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "sanitizers need additional memory";
 #endif
-  const TempFolder folder;
   folder.write("s.xml", good_scene);
-  const ProgramRun run = run_program(
-      {"render", "s.xml", "-o", "out.png", "--size", "20000x20000", "--max-memory", "300M"},
-      {.folder = folder.path()});
+  const ProgramRun run = program(
+      {"render", "s.xml", "-o", "out.png", "--size", "20000x20000", "--max-memory", "300M"});
   EXPECT_EQ(run.status, 4);
   EXPECT_THAT(run.err, HasSubstr("more memory than --max-memory 314572800 is needed for tracing"));
   EXPECT_THAT(folder.list(), ElementsAre("s.xml"));

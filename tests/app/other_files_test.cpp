@@ -27,9 +27,7 @@ constexpr std::string_view not_a_scene =
     ": error: not a scene file: a scene is XML with the element <scenefile>, or a JSON object "
     "[format.unknown]\n";
 
-struct OtherFiles : ::testing::Test {
-  TempFolder folder;
-
+struct OtherFiles : ProgramFolder {
   /// What the commands that read scenes say about the file.
   std::vector<std::string> said_about(const std::string& path) const {
     const std::string good = folder.path("good.xml");

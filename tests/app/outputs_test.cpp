@@ -104,7 +104,7 @@ std::vector<std::string> inputs_of(const Writer& writer) {
              : scene_files;
 }
 
-struct Outputs : ::testing::Test {
+struct Outputs : ProgramFolder {
   Outputs() {
     std::string scene = scene_with(
         R"(<diffuse r="1" g="0.5" b="0"/><blend v="1"/><texture file="image/bricks.png" u="1" v="1"/>)");
@@ -141,8 +141,6 @@ struct Outputs : ::testing::Test {
     return run_program(words, {.environment = {"PATH=" + folder.path("bin") + ":/usr/bin:/bin"},
                                .folder = folder.path()});
   }
-
-  TempFolder folder;
 };
 
 // The words of the usage texts for values that are not files.

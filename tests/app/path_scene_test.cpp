@@ -22,9 +22,7 @@ constexpr std::string_view library =
     "newmtl lamp\nKe 17 12 4\nKd 0.5 0.5 0.5\n"
     "newmtl wall\nKd 0.25 0.5 0.75\nmap_Kd wood.png\nNs 10\nillum 2\n";
 
-struct PathScene : ::testing::Test {
-  TempFolder folder;
-
+struct PathScene : ProgramFolder {
   PathScene() {
     folder.write("scenes/models/box.obj", std::string(box));
     folder.write("scenes/models/box.mtl", std::string(library));

@@ -17,7 +17,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-struct PathCommand : ::testing::Test {
+struct PathCommand : ProgramFolder {
   PathCommand() { scene = folder.write("scene.xml", good_scene); }
 
   ProgramRun render(const std::string& output, const Words& more) const {
@@ -34,7 +34,6 @@ struct PathCommand : ::testing::Test {
     return numbers;
   }
 
-  TempFolder folder;
   std::string scene;
 };
 

@@ -32,7 +32,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 // A picture, the same with twice the ambient light, and one of a different size.
-struct Pictures : ::testing::Test {
+struct Pictures : ProgramFolder {
   Pictures() {
     scene = folder.write("ball.xml", ball("0.2"));
     folder.write("brighter.xml", ball("0.4"));
@@ -59,7 +59,7 @@ struct Pictures : ::testing::Test {
 
   void draw(const std::string& from, const std::string& to, const std::string& size) const {
     const ProgramRun run =
-        in_folder({"render", from, "-o", to, "--size", size, "--profile", "course", "--quiet"});
+        program({"render", from, "-o", to, "--size", size, "--profile", "course", "--quiet"});
     EXPECT_EQ(run.status, 0) << run.err;
   }
 
@@ -69,11 +69,6 @@ struct Pictures : ::testing::Test {
     }
   }
 
-  ProgramRun in_folder(const std::vector<std::string>& words) const {
-    return run_program(words, {.folder = folder.path()});
-  }
-
-  TempFolder folder;
   std::string scene;
 };
 
@@ -81,19 +76,19 @@ using DiffImages = Pictures;
 using Grade = Pictures;
 
 TEST_F(DiffImages, EqualPictures) {
-  const ProgramRun run = in_folder({"diff", "right.png", "right.png"});
+  const ProgramRun run = program({"diff", "right.png", "right.png"});
   EXPECT_EQ(run.status, 0);
   EXPECT_THAT(run.out, AllOf(HasSubstr("right.png and right.png: 64x48\n"),
                              HasSubstr("PSNR 99.00 dB"), HasSubstr("\nequal\n")));
-  EXPECT_EQ(in_folder({"diff", "-q", "right.png", "right.png"}).out, "");
+  EXPECT_EQ(program({"diff", "-q", "right.png", "right.png"}).out, "");
 }
 
 TEST_F(DiffImages, TheCauseIsNamedWithAScene) {
-  const ProgramRun alone = in_folder({"diff", "right.png", "wrong.png"});
+  const ProgramRun alone = program({"diff", "right.png", "wrong.png"});
   EXPECT_EQ(alone.status, 1);
   EXPECT_THAT(alone.out, AllOf(HasSubstr("different: the pictures are not equal\n"),
                                Not(HasSubstr("[ambient]"))));
-  const ProgramRun run = in_folder({"diff", "right.png", "wrong.png", "--scene", "ball.xml"});
+  const ProgramRun run = program({"diff", "right.png", "wrong.png", "--scene", "ball.xml"});
   EXPECT_EQ(run.status, 1);
   EXPECT_THAT(
       run.out,
@@ -108,7 +103,7 @@ TEST_F(DiffImages, JpegsOfRightPicturesAreSaidToBeSo) {
     const auto picture = decode_image(folder.read("full.png"));
     folder.write("mine.jpg", testing_support::jpeg_of(*picture, 75));
     draw("ball.xml", "full.png", "320x240");
-    return in_folder({"diff", "full.png", "mine.jpg", "--scene", "ball.xml"}).out;
+    return program({"diff", "full.png", "mine.jpg", "--scene", "ball.xml"}).out;
   };
   EXPECT_THAT(said_of_jpeg("ball.xml"), AllOf(HasSubstr("cause: none"), HasSubstr("of JPEGs")));
   EXPECT_THAT(said_of_jpeg("brighter.xml"), Not(HasSubstr("of JPEGs")));
@@ -118,31 +113,30 @@ TEST_F(DiffImages, FloatsCompareAsLinearValues) {
   draw("ball.xml", "a.exr", "64x48");
   draw("ball.xml", "a.pfm", "64x48");
   draw("brighter.xml", "b.exr", "64x48");
-  EXPECT_THAT(in_folder({"diff", "a.pfm", "a.pfm"}).out, HasSubstr("equal"));
+  EXPECT_THAT(program({"diff", "a.pfm", "a.pfm"}).out, HasSubstr("equal"));
 #if SCENEFILE_OPENEXR
-  EXPECT_THAT(in_folder({"diff", "a.exr", "a.pfm"}).out, HasSubstr("\nequal\n"));
-  const ProgramRun run = in_folder({"diff", "a.exr", "b.exr", "--json"});
+  EXPECT_THAT(program({"diff", "a.exr", "a.pfm"}).out, HasSubstr("\nequal\n"));
+  const ProgramRun run = program({"diff", "a.exr", "b.exr", "--json"});
   EXPECT_EQ(run.status, 1);
   EXPECT_TRUE(parse_json(run.out)["linear"].GetBool());
-  EXPECT_THAT(in_folder({"diff", "a.exr", "b.exr"}).out, HasSubstr("  linear values:\n"));
-  EXPECT_EQ(in_folder({"diff", "a.exr", "b.exr", "--max-difference", "254.5"}).status, 0);
+  EXPECT_THAT(program({"diff", "a.exr", "b.exr"}).out, HasSubstr("  linear values:\n"));
+  EXPECT_EQ(program({"diff", "a.exr", "b.exr", "--max-difference", "254.5"}).status, 0);
 #endif
 }
 
 TEST_F(DiffImages, FloatsEqualTheirOwnPng) {
   for (const char* profile : {"fine", "course"}) {
     for (const char* name : {"a.png", "a.pfm", "a.exr"}) {
-      ASSERT_EQ(
-          in_folder({"render", "ball.xml", "--size", "64x48", "--profile", profile, "-o", name})
-              .status,
-          0);
+      ASSERT_EQ(program({"render", "ball.xml", "--size", "64x48", "--profile", profile, "-o", name})
+                    .status,
+                0);
     }
     for (const char* name : {"a.pfm", "a.exr"}) {
       if (!SCENEFILE_OPENEXR && std::string_view(name) == "a.exr") {
         continue;
       }
-      EXPECT_THAT(in_folder({"diff", "a.png", name}).out, HasSubstr("\nequal\n")) << profile;
-      EXPECT_THAT(in_folder({"diff", name, "a.png"}).out, HasSubstr("\nequal\n")) << profile;
+      EXPECT_THAT(program({"diff", "a.png", name}).out, HasSubstr("\nequal\n")) << profile;
+      EXPECT_THAT(program({"diff", name, "a.png"}).out, HasSubstr("\nequal\n")) << profile;
     }
   }
 }
@@ -153,33 +147,33 @@ TEST_F(DiffImages, FloatsMayDifferWhereBytesDoNot) {
   folder.write("a.pfm", *encode_image(image, ImageFormat::pfm, Rounding::nearest));
   image.rgb[0] = 3;
   folder.write("b.pfm", *encode_image(image, ImageFormat::pfm, Rounding::nearest));
-  const ProgramRun run = in_folder({"diff", "a.pfm", "b.pfm"});
+  const ProgramRun run = program({"diff", "a.pfm", "b.pfm"});
   EXPECT_EQ(run.status, 1);
   EXPECT_THAT(run.out, AllOf(HasSubstr("different: the pictures are not equal"),
                              HasSubstr("maximum 382.5/255"),
                              HasSubstr("as 8-bit pictures, both are equal")));
   image.rgb[0] = std::numeric_limits<float>::quiet_NaN();
   folder.write("b.pfm", *encode_image(image, ImageFormat::pfm, Rounding::nearest));
-  const ProgramRun nan = in_folder({"diff", "a.pfm", "b.pfm"});
+  const ProgramRun nan = program({"diff", "a.pfm", "b.pfm"});
   EXPECT_EQ(nan.status, 1);
   EXPECT_THAT(nan.out, AllOf(HasSubstr("b.pfm: 1 of its pixels is not finite (NaN or infinite)"),
                              HasSubstr("maximum 255/255"), Not(HasSubstr("nan"))));
-  EXPECT_THAT(in_folder({"diff", "b.pfm", "b.pfm"}).out, HasSubstr("equal"));
+  EXPECT_THAT(program({"diff", "b.pfm", "b.pfm"}).out, HasSubstr("equal"));
 }
 
 #if SCENEFILE_OPENEXR
 TEST_F(DiffImages, LayersOfExrAreChosen) {
   ASSERT_EQ(
-      in_folder({"render", "ball.xml", "--size", "64x48", "--aov", "normal,depth", "-o", "a.exr"})
+      program({"render", "ball.xml", "--size", "64x48", "--aov", "normal,depth", "-o", "a.exr"})
           .status,
       0);
-  EXPECT_THAT(in_folder({"diff", "a.exr", "a.exr", "--layer", "normal"}).out, HasSubstr("equal"));
-  const ProgramRun none = in_folder({"diff", "a.exr", "right.png", "--layer", "glossy"});
+  EXPECT_THAT(program({"diff", "a.exr", "a.exr", "--layer", "normal"}).out, HasSubstr("equal"));
+  const ProgramRun none = program({"diff", "a.exr", "right.png", "--layer", "glossy"});
   EXPECT_EQ(none.status, 1);
   EXPECT_EQ(none.err,
             "scenefile: a.exr: cannot decode: EXR of 64 x 48 pixels: it has no layer "
             "\"glossy\"; it has depth, normal\n");
-  EXPECT_EQ(in_folder({"explain", "ball.xml", "--pixel", "3,3", "--mine", "a.exr"}).status, 0);
+  EXPECT_EQ(program({"explain", "ball.xml", "--pixel", "3,3", "--mine", "a.exr"}).status, 0);
 }
 #endif
 
@@ -189,7 +183,7 @@ TEST_F(DiffImages, OtherFilesGetOneLine) {
   folder.write("text.png", "secret: 43");
   const std::string formats = "(PNG, JPEG, GIF, BMP, PPM, PFM, EXR, TGA)\n";
   const auto error = [&](const std::vector<std::string>& arguments) {
-    const ProgramRun run = in_folder(arguments);
+    const ProgramRun run = program(arguments);
     EXPECT_NE(run.status, 0);
     EXPECT_EQ(run.out, "");
     return run.err;
@@ -209,56 +203,56 @@ TEST_F(DiffImages, OtherFilesGetOneLine) {
 
 TEST_F(DiffImages, AnUnusableSceneIsAnError) {
   for (const std::string second : {"right.png", "wrong.png"}) {
-    const ProgramRun run = in_folder({"diff", "right.png", second, "--scene", "none.xml"});
+    const ProgramRun run = program({"diff", "right.png", second, "--scene", "none.xml"});
     EXPECT_EQ(run.status, 3);
     EXPECT_THAT(run.err, HasSubstr("none.xml: cannot open"));
     EXPECT_EQ(run.out, "");
   }
   folder.write("broken.xml", "<scenefile>");
-  const ProgramRun broken = in_folder({"diff", "right.png", "right.png", "--scene", "broken.xml"});
+  const ProgramRun broken = program({"diff", "right.png", "right.png", "--scene", "broken.xml"});
   EXPECT_EQ(broken.status, 1);
   EXPECT_THAT(broken.err, HasSubstr("broken.xml:1:12: error: "));
   EXPECT_EQ(broken.out, "");
   const ProgramRun json =
-      in_folder({"diff", "--json", "right.png", "right.png", "--scene", "none.xml"});
+      program({"diff", "--json", "right.png", "right.png", "--scene", "none.xml"});
   EXPECT_EQ(json.status, 3);
   EXPECT_THAT(parse_json(json.out)["scene"]["error"].GetString(),
               HasSubstr("none.xml: cannot open"));
 }
 
 TEST_F(DiffImages, SuggestsASceneIfNoneIsGiven) {
-  const ProgramRun alone = in_folder({"diff", "right.png", "wrong.png"});
+  const ProgramRun alone = program({"diff", "right.png", "wrong.png"});
   EXPECT_THAT(alone.out, HasSubstr("most causes need --scene SCENE"));
-  const ProgramRun with = in_folder({"diff", "right.png", "wrong.png", "--scene", "ball.xml"});
+  const ProgramRun with = program({"diff", "right.png", "wrong.png", "--scene", "ball.xml"});
   EXPECT_THAT(with.out, Not(HasSubstr("--scene SCENE")));
 }
 
 TEST_F(DiffImages, ThresholdsDecide) {
-  EXPECT_EQ(in_folder({"diff", "right.png", "wrong.png", "--min-psnr", "5"}).status, 0);
-  EXPECT_EQ(in_folder({"diff", "right.png", "wrong.png", "--min-psnr", "60"}).status, 1);
-  EXPECT_EQ(in_folder({"diff", "right.png", "wrong.png", "--max-share", "100"}).status, 0);
-  EXPECT_EQ(in_folder({"diff", "right.png", "wrong.png", "--max-flip", "0.0001"}).status, 1);
-  const ProgramRun bad = in_folder({"diff", "right.png", "wrong.png", "--min-ssim", "2"});
+  EXPECT_EQ(program({"diff", "right.png", "wrong.png", "--min-psnr", "5"}).status, 0);
+  EXPECT_EQ(program({"diff", "right.png", "wrong.png", "--min-psnr", "60"}).status, 1);
+  EXPECT_EQ(program({"diff", "right.png", "wrong.png", "--max-share", "100"}).status, 0);
+  EXPECT_EQ(program({"diff", "right.png", "wrong.png", "--max-flip", "0.0001"}).status, 1);
+  const ProgramRun bad = program({"diff", "right.png", "wrong.png", "--min-ssim", "2"});
   EXPECT_EQ(bad.status, 2);
   EXPECT_THAT(bad.err, HasSubstr("--min-ssim: \"2\" is not a number from 0 to 1"));
 }
 
 TEST_F(DiffImages, WritesMaps) {
-  EXPECT_EQ(in_folder({"diff", "right.png", "wrong.png", "--heatmap", "heat.png", "--sheet",
-                       "sheet.png", "-q"})
+  EXPECT_EQ(program({"diff", "right.png", "wrong.png", "--heatmap", "heat.png", "--sheet",
+                     "sheet.png", "-q"})
                 .status,
             1);
   EXPECT_EQ(decode_image(folder.read("heat.png"))->width, 64);
   EXPECT_EQ(decode_image(folder.read("sheet.png"))->width, 4 * 64 + 5 * 8);
-  EXPECT_EQ(in_folder({"diff", "right.png", "wrong.png", "--sheet", "right.png"}).status, 2);
-  EXPECT_EQ(in_folder({"diff", "right.png", "wrong.png", "--sheet", "sheet.gif"}).status, 2);
+  EXPECT_EQ(program({"diff", "right.png", "wrong.png", "--sheet", "right.png"}).status, 2);
+  EXPECT_EQ(program({"diff", "right.png", "wrong.png", "--sheet", "sheet.gif"}).status, 2);
   folder.write("scene.png", ball("0.2"));  // the type is determined by the content, not by the name
-  const ProgramRun scene_lost = in_folder(
-      {"diff", "right.png", "wrong.png", "--scene", "scene.png", "--sheet", "./scene.png"});
+  const ProgramRun scene_lost =
+      program({"diff", "right.png", "wrong.png", "--scene", "scene.png", "--sheet", "./scene.png"});
   EXPECT_EQ(scene_lost.status, 2);
   EXPECT_THAT(scene_lost.err, HasSubstr("the sheet ./scene.png would replace the scene scene.png"));
-  const ProgramRun alike = in_folder(
-      {"diff", "right.png", "wrong.png", "--sheet", "both.png", "--heatmap", "./both.png"});
+  const ProgramRun alike =
+      program({"diff", "right.png", "wrong.png", "--sheet", "both.png", "--heatmap", "./both.png"});
   EXPECT_EQ(alike.status, 2);
   EXPECT_THAT(alike.err, HasSubstr("the sheet both.png would replace the heat map ./both.png"));
 }
@@ -271,26 +265,26 @@ TEST_F(DiffImages, ExchangedPicturesAreSaid) {
     draw(std::string(name) + ".xml", std::string(name) + ".png", "64x48");
   }
   const ProgramRun run =
-      in_folder({"diff", "bright.png", "near.png", "--scene", "near.xml", "--json"});
+      program({"diff", "bright.png", "near.png", "--scene", "near.xml", "--json"});
   EXPECT_EQ(run.status, 1);
   const rapidjson::Document answer = parse_json(run.out);
   EXPECT_TRUE(answer["exchanged"].GetBool());
   EXPECT_TRUE(answer["causes"].Empty());
   EXPECT_FALSE(answer.HasMember("worst"));
   EXPECT_THAT(
-      in_folder({"diff", "bright.png", "near.png", "--scene", "near.xml"}).out,
+      program({"diff", "bright.png", "near.png", "--scene", "near.xml"}).out,
       AllOf(EndsWith("\nthe second picture shows the scene, and the first does not: give the "
                      "reference first\n")));
 }
 
 TEST_F(DiffImages, AnExchangedPictureThatIsMostlyRight) {
   const auto said = [&](const char* first, const char* second) {
-    return in_folder({"diff", first, second, "--scene", "ball.xml"}).out;
+    return program({"diff", first, second, "--scene", "ball.xml"}).out;
   };
   EXPECT_THAT(said("wrong.png", "right.png"), EndsWith("give the reference first\n"));
   // Both right: the reference has several samples per pixel.
-  in_folder({"render", "ball.xml", "-o", "smooth.png", "--size", "64x48", "--profile", "course",
-             "--features", "shadows,reflect,refract,texture,super-sample", "--quiet"});
+  program({"render", "ball.xml", "-o", "smooth.png", "--size", "64x48", "--profile", "course",
+           "--features", "shadows,reflect,refract,texture,super-sample", "--quiet"});
   EXPECT_THAT(said("smooth.png", "right.png"), Not(HasSubstr("give the reference first")));
 }
 
@@ -299,31 +293,31 @@ TEST_F(DiffImages, NoObjectIsNamedInAnotherScene) {
   text.replace(text.find("v=\"40\""), 6, "v=\"12\"");
   folder.write("near.xml", text);
   EXPECT_THAT(
-      in_folder({"diff", "right.png", "wrong.png", "--scene", "near.xml"}).out,
+      program({"diff", "right.png", "wrong.png", "--scene", "near.xml"}).out,
       AllOf(HasSubstr("the scene does not match the reference"), HasSubstr("worst: "),
             HasSubstr("look at pixel "), Not(HasSubstr("it shows")), Not(HasSubstr("try:"))));
 }
 
 TEST_F(DiffImages, TheCommandToTryDrawsTheSamePicture) {
   EXPECT_THAT(
-      in_folder({"diff", "right.png", "wrong.png", "--scene", "ball.xml", "--profile", "course",
-                 "--features", "texture,shadows", "--max-depth", "2", "--asset-root", "."})
+      program({"diff", "right.png", "wrong.png", "--scene", "ball.xml", "--profile", "course",
+               "--features", "texture,shadows", "--max-depth", "2", "--asset-root", "."})
           .out,
       HasSubstr(" --reference right.png --mine wrong.png --profile course --features "
                 "texture,shadows --max-depth 2 --asset-root .\n"));
-  EXPECT_THAT(in_folder({"diff", "right.png", "wrong.png", "--scene", "ball.xml", "--profile",
-                         "fine", "--features", "intersect"})
+  EXPECT_THAT(program({"diff", "right.png", "wrong.png", "--scene", "ball.xml", "--profile", "fine",
+                       "--features", "intersect"})
                   .out,
               HasSubstr("as drawn with --profile fine --features intersect\n"));
 }
 
 TEST_F(DiffImages, ExplainSaysWhatDiffSays) {
-  const std::string said = in_folder({"diff", "right.png", "wrong.png", "--scene", "ball.xml"}).out;
+  const std::string said = program({"diff", "right.png", "wrong.png", "--scene", "ball.xml"}).out;
   const std::size_t start = said.find("--pixel ") + 8;
   Words words{
       "explain",     "ball.xml",  "--pixel", said.substr(start, said.find(' ', start) - start),
       "--reference", "right.png", "--mine",  "wrong.png"};
-  const std::string explained = in_folder(words).out;
+  const std::string explained = program(words).out;
   const std::size_t cause = said.find("cause: ");
   ASSERT_NE(cause, std::string::npos) << said;
   EXPECT_THAT(explained,
@@ -331,38 +325,38 @@ TEST_F(DiffImages, ExplainSaysWhatDiffSays) {
                     HasSubstr("ours with this mistake = "), HasSubstr("as yours"),
                     HasSubstr("reference: as drawn with "), HasSubstr("profile course")));
   words.emplace_back("--json");
-  const rapidjson::Document document = parse_json(in_folder(words).out);
+  const rapidjson::Document document = parse_json(program(words).out);
   EXPECT_TRUE(document["pixel"]["yours"]["compared"]["explained"].GetBool());
-  EXPECT_THAT(in_folder({"explain", "ball.xml", "--pixel", "1,1", "--reference", "right.png"}).err,
+  EXPECT_THAT(program({"explain", "ball.xml", "--pixel", "1,1", "--reference", "right.png"}).err,
               HasSubstr("--reference needs your picture: --mine PICTURE"));
-  EXPECT_THAT(in_folder({"explain", "ball.xml", "--pixel", "1,1", "--reference", "right.png",
-                         "--mine", "wrong.png", "--size", "64x48"})
+  EXPECT_THAT(program({"explain", "ball.xml", "--pixel", "1,1", "--reference", "right.png",
+                       "--mine", "wrong.png", "--size", "64x48"})
                   .err,
               HasSubstr("the pictures determine the size"));
 }
 
 TEST_F(DiffImages, AReferenceIsSaidToBeDrawnWithItsSamples) {
   const std::string features = "shadows,reflect,refract,texture,super-sample";
-  in_folder({"render", "ball.xml", "-o", "many.png", "--size", "64x48", "--profile", "course",
-             "--features", features, "--quiet"});
-  const std::string said = in_folder({"diff", "many.png", "wrong.png", "--scene", "ball.xml"}).out;
+  program({"render", "ball.xml", "-o", "many.png", "--size", "64x48", "--profile", "course",
+           "--features", features, "--quiet"});
+  const std::string said = program({"diff", "many.png", "wrong.png", "--scene", "ball.xml"}).out;
   EXPECT_THAT(said, HasSubstr("reference: as drawn with --profile course --features "));
   EXPECT_THAT(said, HasSubstr("super-sample"));
   const auto picture = decode_image(folder.read("right.png"));
   folder.write("right.jpg", jpeg_of(*picture, 60));
-  EXPECT_THAT(in_folder({"diff", "right.jpg", "wrong.png", "--scene", "ball.xml"}).out,
+  EXPECT_THAT(program({"diff", "right.jpg", "wrong.png", "--scene", "ball.xml"}).out,
               HasSubstr("reference: nearly as drawn with --profile course"));
 }
 
 TEST_F(DiffImages, OtherSizesAndFiles) {
-  const ProgramRun sizes = in_folder({"diff", "right.png", "small.png", "--min-psnr", "0"});
+  const ProgramRun sizes = program({"diff", "right.png", "small.png", "--min-psnr", "0"});
   EXPECT_EQ(sizes.status, 1);
   EXPECT_THAT(sizes.out,
               AllOf(HasSubstr("64x48 and 32x24"),
                     HasSubstr("the size is 32x24, expected 64x48; compared after scaling"),
                     HasSubstr("PSNR ")));
   const ProgramRun cause =
-      in_folder({"diff", "small.png", "wrong.png", "--scene", "ball.xml", "--heatmap", "map.png"});
+      program({"diff", "small.png", "wrong.png", "--scene", "ball.xml", "--heatmap", "map.png"});
   EXPECT_THAT(
       cause.out,
       AllOf(HasSubstr("expected 32x24; compared with our picture of the scene at that size"),
@@ -371,18 +365,18 @@ TEST_F(DiffImages, OtherSizesAndFiles) {
   EXPECT_TRUE(std::filesystem::exists(folder.path("map.png")));
   draw("ball.xml", "tall.png", "32x48");
   const ProgramRun shape =
-      in_folder({"diff", "right.png", "tall.png", "--scene", "ball.xml", "--json"});
+      program({"diff", "right.png", "tall.png", "--scene", "ball.xml", "--json"});
   EXPECT_EQ(shape.status, 1);
   const rapidjson::Document answer = parse_json(shape.out);
   EXPECT_TRUE(answer["reference_redrawn"].GetBool());
   EXPECT_TRUE(answer["right_at_other_size"].GetBool());
   EXPECT_EQ(answer["max_difference"].GetInt(), 0);
   EXPECT_FALSE(answer["exchanged"].GetBool());
-  EXPECT_THAT(in_folder({"diff", "right.png", "tall.png"}).out,
+  EXPECT_THAT(program({"diff", "right.png", "tall.png"}).out,
               HasSubstr("the size is 32x48, expected 64x48\n"));
-  EXPECT_EQ(in_folder({"diff", "right.png", "none.png"}).status, 3);
+  EXPECT_EQ(program({"diff", "right.png", "none.png"}).status, 3);
   folder.write("text.png", "no picture");
-  const ProgramRun text = in_folder({"diff", "right.png", "text.png"});
+  const ProgramRun text = program({"diff", "right.png", "text.png"});
   EXPECT_EQ(text.status, 1);
   EXPECT_THAT(text.err, HasSubstr("text.png: not a picture"));
 }
@@ -391,7 +385,7 @@ TEST_F(DiffImages, AFolderOfTheCourseDecidesBetweenEqualFeatures) {
   std::filesystem::create_directories(folder.path("grading_illuminate"));
   folder.write("grading_illuminate/ball.png", folder.read("right.png"));
   const auto said = [&](const char* reference) {
-    return in_folder({"diff", reference, "wrong.png", "--scene", "ball.xml"}).out;
+    return program({"diff", reference, "wrong.png", "--scene", "ball.xml"}).out;
   };
   EXPECT_THAT(said("right.png"), HasSubstr("reference: as drawn with --profile course\n"));
   EXPECT_THAT(said("grading_illuminate/ball.png"),
@@ -417,10 +411,10 @@ TEST_F(DiffImages, APictureWithoutFeaturesThatTheReferenceDoesNotShow) {
   folder.write("below.xml", floor_and_ball("-50"));
   folder.write("above.xml", floor_and_ball("50"));
   draw("below.xml", "below.png", "160x120");
-  in_folder({"render", "above.xml", "-o", "above.png", "--size", "160x120", "--profile", "course",
-             "--features", "none", "--quiet"});
+  program({"render", "above.xml", "-o", "above.png", "--size", "160x120", "--profile", "course",
+           "--features", "none", "--quiet"});
   EXPECT_THAT(
-      in_folder({"diff", "below.png", "above.png", "--scene", "below.xml"}).out,
+      program({"diff", "below.png", "above.png", "--scene", "below.xml"}).out,
       AllOf(HasSubstr("\ncause: rotations turn the wrong way [transforms]\n       simulating"),
             HasSubstr("--features none\n")));
 }
@@ -449,7 +443,7 @@ TEST_F(DiffImages, ThePartThatShowsTheSceneIsCompared) {
   draw("bright.xml", "mine.png", "160x120");
   show_at(folder, "mine.png", "window.png", {7, 21}, {180, 150});
   const ProgramRun window =
-      in_folder({"diff", "whole.png", "window.png", "--scene", "two.xml", "--profile", "course"});
+      program({"diff", "whole.png", "window.png", "--scene", "two.xml", "--profile", "course"});
   EXPECT_EQ(window.status, 1);
   EXPECT_THAT(
       window.out,
@@ -457,7 +451,7 @@ TEST_F(DiffImages, ThePartThatShowsTheSceneIsCompared) {
                       "size 160x120, with the reference\n"),
             HasSubstr("cause: the ambient term is added twice"), HasSubstr("worst: 61,37..")));
   show_at(folder, "mine.png", "cut.png", {-9, -4}, {140, 110});
-  const ProgramRun cut = in_folder(
+  const ProgramRun cut = program(
       {"diff", "whole.png", "cut.png", "--scene", "two.xml", "--profile", "course", "--json"});
   const rapidjson::Document answer = parse_json(cut.out);
   ASSERT_TRUE(answer.HasMember("place"));
@@ -466,7 +460,7 @@ TEST_F(DiffImages, ThePartThatShowsTheSceneIsCompared) {
   EXPECT_EQ(answer["place"]["width"].GetInt(), 160);
   EXPECT_STREQ(answer["causes"][0]["cause"].GetString(), "ambient");
   show_at(folder, "whole.png", "right-window.png", {7, 21}, {180, 150});
-  EXPECT_THAT(in_folder({"diff", "whole.png", "right-window.png", "--scene", "two.xml"}).out,
+  EXPECT_THAT(program({"diff", "whole.png", "right-window.png", "--scene", "two.xml"}).out,
               HasSubstr("cause: none; the part that was compared is right\n"));
 }
 
@@ -475,7 +469,7 @@ TEST_F(DiffImages, ASceneIsNotAPicture) {
       "scenefile: ball.xml is a scene and right.png a picture; compare two scenes, or two pictures";
   for (const auto& [first, second] :
        {std::pair("right.png", "ball.xml"), {"ball.xml", "right.png"}}) {
-    const ProgramRun mixed = in_folder({"diff", first, second});
+    const ProgramRun mixed = program({"diff", first, second});
     EXPECT_EQ(mixed.status, 1);
     EXPECT_THAT(mixed.err, HasSubstr(words));
     EXPECT_EQ(mixed.out, "");
@@ -508,13 +502,13 @@ TEST_F(DiffImages, ReadsEachPictureOnce) {
 #endif
 
 TEST_F(DiffImages, NamesTheWorstRegion) {
-  const ProgramRun run = in_folder({"diff", "right.png", "wrong.png", "--scene", "ball.xml"});
+  const ProgramRun run = program({"diff", "right.png", "wrong.png", "--scene", "ball.xml"});
   EXPECT_THAT(run.out, AllOf(HasSubstr("worst: "), HasSubstr("it shows root"),
                              HasSubstr("try: scenefile explain ball.xml --pixel "),
                              HasSubstr(" --reference right.png --mine wrong.png")));
-  EXPECT_THAT(in_folder({"diff", "right.png", "wrong.png"}).out, HasSubstr("look at pixel "));
-  const rapidjson::Document document = parse_json(
-      in_folder({"diff", "--json", "right.png", "wrong.png", "--scene", "ball.xml"}).out);
+  EXPECT_THAT(program({"diff", "right.png", "wrong.png"}).out, HasSubstr("look at pixel "));
+  const rapidjson::Document document =
+      parse_json(program({"diff", "--json", "right.png", "wrong.png", "--scene", "ball.xml"}).out);
   const auto& worst = document["worst"];
   EXPECT_LE(worst["x0"].GetInt(), worst["x"].GetInt());
   EXPECT_GE(worst["x1"].GetInt(), worst["x"].GetInt());
@@ -523,8 +517,8 @@ TEST_F(DiffImages, NamesTheWorstRegion) {
 }
 
 TEST_F(DiffImages, ExplainComparesWithMine) {
-  const rapidjson::Document document = parse_json(
-      in_folder({"diff", "--json", "right.png", "wrong.png", "--scene", "ball.xml"}).out);
+  const rapidjson::Document document =
+      parse_json(program({"diff", "--json", "right.png", "wrong.png", "--scene", "ball.xml"}).out);
   const std::string pixel = std::to_string(document["worst"]["x"].GetInt()) + "," +
                             std::to_string(document["worst"]["y"].GetInt());
   const std::vector<std::string> words{"explain", "ball.xml",  "--pixel",
@@ -532,7 +526,7 @@ TEST_F(DiffImages, ExplainComparesWithMine) {
   const auto with = [&](std::vector<std::string> more) {
     std::vector<std::string> all = words;
     all.insert(all.end(), more.begin(), more.end());
-    return in_folder(all);
+    return program(all);
   };
   EXPECT_THAT(with({"--mine", "wrong.png"}).out,
               HasSubstr("equals ours with the ambient term twice"));
@@ -541,12 +535,12 @@ TEST_F(DiffImages, ExplainComparesWithMine) {
   EXPECT_FALSE(yours["pixel"]["yours"]["equal"].GetBool());
   EXPECT_EQ(with({"--mine", "wrong.png", "--size", "32x24"}).status, 2);
   EXPECT_EQ(with({"--mine", "none.png"}).status, 3);
-  EXPECT_EQ(in_folder({"explain", "ball.xml", "--pixel", "64,0", "--mine", "right.png"}).status, 2);
+  EXPECT_EQ(program({"explain", "ball.xml", "--pixel", "64,0", "--mine", "right.png"}).status, 2);
 }
 
 TEST_F(DiffImages, AnswersInJson) {
   const ProgramRun run =
-      in_folder({"diff", "--json", "right.png", "wrong.png", "--scene", "ball.xml"});
+      program({"diff", "--json", "right.png", "wrong.png", "--scene", "ball.xml"});
   const rapidjson::Document document = parse_json(run.out);
   EXPECT_FALSE(document["same"].GetBool());
   EXPECT_LT(document["psnr_db"].GetDouble(), 60);
@@ -565,8 +559,8 @@ TEST_F(Grade, AClass) {
   folder.write("class/ben/ball.png", folder.read("wrong.png"));
   folder.write("class/cleo/ball.png", "no picture");
   std::filesystem::create_directory(folder.path("class/dan"));
-  const ProgramRun run = in_folder({"grade", "class", "--references", "references", "--report",
-                                    "report.html", "--junit", "junit.xml"});
+  const ProgramRun run = program({"grade", "class", "--references", "references", "--report",
+                                  "report.html", "--junit", "junit.xml"});
   EXPECT_EQ(run.status, 1);
   EXPECT_EQ(run.err, "");
   EXPECT_THAT(
@@ -579,7 +573,7 @@ TEST_F(Grade, AClass) {
   EXPECT_THAT(folder.read("report.html"), HasSubstr("data:image/png;base64,"));
   EXPECT_THAT(folder.read("junit.xml"), HasSubstr("<testsuites tests=\"4\" failures=\"3\">"));
   const rapidjson::Document document =
-      parse_json(in_folder({"grade", "--json", "class", "--references", "references"}).out);
+      parse_json(program({"grade", "--json", "class", "--references", "references"}).out);
   EXPECT_STREQ(document["students"][1]["pictures"][0]["causes"][0]["cause"].GetString(), "ambient");
 }
 
@@ -589,7 +583,7 @@ TEST_F(Grade, SymbolicLinksAreNotFollowed) {
   }
   folder.write("references/ball.png", folder.read("right.png"));
   std::filesystem::create_symlink("../../references/ball.png", folder.path("class/eve/ball.png"));
-  const ProgramRun run = in_folder({"grade", "class", "--references", "references"});
+  const ProgramRun run = program({"grade", "class", "--references", "references"});
   EXPECT_EQ(run.status, 1);
   EXPECT_THAT(run.out, HasSubstr("ball: unreadable: a symbolic link was submitted"));
 }
@@ -598,7 +592,7 @@ TEST_F(Grade, AReferenceThatIsALinkToNothingIsAnError) {
   make_folders({"references", "class/eve"});
   folder.write("references/ball.png", folder.read("right.png"));
   std::filesystem::create_symlink("nothing", folder.path("references/cube.png"));
-  const ProgramRun run = in_folder({"grade", "class", "--references", "references"});
+  const ProgramRun run = program({"grade", "class", "--references", "references"});
   EXPECT_EQ(run.status, 3);
   EXPECT_THAT(run.err, HasSubstr("references/cube.png: cannot open: No such file"));
 }
@@ -613,7 +607,7 @@ TEST_F(Grade, MistakesThatGiveTheSamePictureAreListed) {
   for (const Words& more : {Words{"--pages", "a"},
                             {"--store", "kept", "--pages", "b"},
                             {"--store", "kept", "--pages", "c"}}) {
-    EXPECT_EQ(in_folder(grade + more).status, 1);
+    EXPECT_EQ(program(grade + more).status, 1);
     EXPECT_THAT(folder.read(more.back() + "/eve.html"),
                 HasSubstr("<b>The ambient term is added twice</b> <code>ambient</code><br>or the "
                           "ambient term is missing the global coefficient<br>"));
@@ -625,15 +619,15 @@ TEST_F(Grade, OneStudentWhoPasses) {
     std::filesystem::create_directory(folder.path(name));
     folder.write(std::string(name) + "/ball.png", folder.read("right.png"));
   }
-  const ProgramRun run = in_folder({"grade", "mine", "--references", "references"});
+  const ProgramRun run = program({"grade", "mine", "--references", "references"});
   EXPECT_EQ(run.status, 0);
   EXPECT_THAT(run.out, HasSubstr("mine  1 of 1 passed\n"));
   const ProgramRun lost =
-      in_folder({"grade", "mine", "--references", "references", "--csv", "references/ball.png"});
+      program({"grade", "mine", "--references", "references", "--csv", "references/ball.png"});
   EXPECT_EQ(lost.status, 2);
   EXPECT_THAT(lost.err, HasSubstr("would replace the reference references/ball.png"));
   const ProgramRun alike =
-      in_folder({"grade", "mine", "--references", "references", "--csv", "a", "--junit", "./a"});
+      program({"grade", "mine", "--references", "references", "--csv", "a", "--junit", "./a"});
   EXPECT_EQ(alike.status, 2);
   EXPECT_THAT(alike.err, HasSubstr("the JUnit file ./a would replace the CSV table a"));
 }
@@ -646,7 +640,7 @@ TEST_F(Grade, CommonFoldersAndNames) {
   folder.write("mine/illuminate/required/ball_gen.png", folder.read("right.png"));
   folder.write("mine/intersect/required/ball.png", folder.read("wrong.png"));
   folder.write("mine/__MACOSX/illuminate/ball.png", "no picture");
-  const ProgramRun run = in_folder({"grade", "mine/", "--references", "right"});
+  const ProgramRun run = program({"grade", "mine/", "--references", "right"});
   EXPECT_EQ(run.status, 0) << run.out << run.err;
   EXPECT_THAT(run.out, HasSubstr("mine  2 of 2 passed\n"));
 }
@@ -657,8 +651,8 @@ TEST_F(Grade, MapsAndAllReports) {
   folder.write("mine/results/my picture.png", folder.read("right.png"));
   folder.write("names.csv", "# handed in, reference\n\nresults/my picture.png, ball\n");
   const ProgramRun run =
-      in_folder({"grade", "mine", "--references", "right", "--map", "names.csv", "--csv", "a.csv",
-                 "--gradescope", "results.json", "--pages", "pages"});
+      program({"grade", "mine", "--references", "right", "--map", "names.csv", "--csv", "a.csv",
+               "--gradescope", "results.json", "--pages", "pages"});
   EXPECT_EQ(run.status, 0) << run.out << run.err;
   EXPECT_THAT(folder.read("a.csv"), HasSubstr("\"mine\",\"ball\",passed,99.00"));
   EXPECT_THAT(folder.read("pages/mine.html"),
@@ -667,19 +661,18 @@ TEST_F(Grade, MapsAndAllReports) {
   EXPECT_EQ(results["score"].GetInt(), 1);
   EXPECT_STREQ(results["tests"][0]["status"].GetString(), "passed");
   folder.write("names.csv", "ball\n");
-  const ProgramRun bad =
-      in_folder({"grade", "mine", "--references", "right", "--map", "names.csv"});
+  const ProgramRun bad = program({"grade", "mine", "--references", "right", "--map", "names.csv"});
   EXPECT_EQ(bad.status, 1);
   EXPECT_THAT(bad.err, HasSubstr("line 1: expected the name handed in, a comma"));
   folder.write("names.csv", "Results/My Picture.png, ball\nother.png, ball\n");
   const ProgramRun unused =
-      in_folder({"grade", "mine", "--references", "right", "--map", "names.csv"});
+      program({"grade", "mine", "--references", "right", "--map", "names.csv"});
   EXPECT_EQ(unused.status, 0) << unused.out << unused.err;
   EXPECT_EQ(unused.err,
             "note: the map assigns \"other.png\" to a reference, but no student has it\n");
   folder.write("names.csv", "results/my picture.png, bal\n");
   const ProgramRun unknown =
-      in_folder({"grade", "mine", "--references", "right", "--map", "names.csv"});
+      program({"grade", "mine", "--references", "right", "--map", "names.csv"});
   EXPECT_EQ(unknown.status, 1);
   EXPECT_THAT(unknown.err, HasSubstr("to the reference \"bal\", but \"right\" has no such file"));
 }
@@ -691,11 +684,11 @@ TEST_F(Grade, NamesInMapsMayContainCommas) {
   for (const char* line : {"\"one, \"\"2\"\".png\", ball", "one, \"2\".png\tball"}) {
     folder.write("names.csv", line);
     const ProgramRun run =
-        in_folder({"grade", "mine", "--references", "right", "--map", "names.csv"});
+        program({"grade", "mine", "--references", "right", "--map", "names.csv"});
     EXPECT_EQ(run.status, 0) << line << run.out << run.err;
   }
   folder.write("names.csv", "one, 2.png, ball");
-  EXPECT_THAT(in_folder({"grade", "mine", "--references", "right", "--map", "names.csv"}).err,
+  EXPECT_THAT(program({"grade", "mine", "--references", "right", "--map", "names.csv"}).err,
               HasSubstr("names that contain a comma in double quotes"));
 }
 
@@ -707,7 +700,7 @@ TEST_F(Grade, EachStudentHasAPageOfTheirOwn) {
     folder.write("class/" + std::string(student) + "/ball.png", folder.read("right.png"));
   }
   const ProgramRun run =
-      in_folder({"grade", "class", "--references", "right", "--pages", "new/pages"});
+      program({"grade", "class", "--references", "right", "--pages", "new/pages"});
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_THAT(folder.read("new/pages/a_b.html"), HasSubstr("<h2 class=\"who\"><bdi>a b</bdi>"));
   EXPECT_THAT(folder.read("new/pages/a_b-2.html"), HasSubstr("<h2 class=\"who\"><bdi>a_b</bdi>"));
@@ -746,8 +739,8 @@ TEST_F(Grade, NothingRemainsIfAFileCannotBeWritten) {
     std::filesystem::create_directories(folder.path(name));
     folder.write(std::string(name) + "/ball.png", folder.read("right.png"));
   }
-  const ProgramRun run = in_folder({"grade", "mine", "--references", "right", "--pages",
-                                    "new/pages", "--csv", "new/pages/mine.html/a.csv"});
+  const ProgramRun run = program({"grade", "mine", "--references", "right", "--pages", "new/pages",
+                                  "--csv", "new/pages/mine.html/a.csv"});
   EXPECT_EQ(run.status, 3) << run.err;
   EXPECT_FALSE(std::filesystem::exists(folder.path("new")));
 }
@@ -769,7 +762,7 @@ TEST_F(Grade, TheReportHasATitleAndADate) {
   EXPECT_EQ(report({}), first);
   EXPECT_THAT(report({"--title", "A <b>"}),
               AllOf(HasSubstr("<title>A &lt;b&gt;</title>"), Not(HasSubstr("<title>class"))));
-  EXPECT_EQ(in_folder(words + Words{"--title", "A"}).status, 2);
+  EXPECT_EQ(program(words + Words{"--title", "A"}).status, 2);
 }
 
 TEST_F(Grade, PicturesNextToFoldersAreOfOneStudent) {
@@ -777,7 +770,7 @@ TEST_F(Grade, PicturesNextToFoldersAreOfOneStudent) {
   folder.write("right/ball.png", folder.read("right.png"));
   folder.write("mine/ball.png", folder.read("right.png"));
   folder.write("mine/old/notes.png", folder.read("wrong.png"));
-  EXPECT_THAT(in_folder({"grade", "mine", "--references", "right"}).out,
+  EXPECT_THAT(program({"grade", "mine", "--references", "right"}).out,
               HasSubstr("mine  1 of 1 passed"));
 }
 
@@ -787,7 +780,7 @@ TEST_F(Grade, TexturesOfScenesAreNotReferences) {
   folder.write("right/ball.xml", folder.read("ball.xml"));
   folder.write("right/textures/wood.png", folder.read("wrong.png"));
   folder.write("mine/ball.png", folder.read("right.png"));
-  EXPECT_THAT(in_folder({"grade", "mine", "--references", "right"}).out,
+  EXPECT_THAT(program({"grade", "mine", "--references", "right"}).out,
               HasSubstr("mine  1 of 1 passed"));
 }
 
@@ -797,7 +790,7 @@ TEST_F(Grade, GradescopeIsForOneStudent) {
     folder.write(std::string(name) + "/ball.png", folder.read("right.png"));
   }
   const ProgramRun run =
-      in_folder({"grade", "class", "--references", "right", "--gradescope", "results.json"});
+      program({"grade", "class", "--references", "right", "--gradescope", "results.json"});
   EXPECT_EQ(run.status, 2);
   EXPECT_THAT(run.err, HasSubstr("--gradescope is for one student, and \"class\" has 2"));
 }
@@ -806,7 +799,7 @@ TEST_F(Grade, AnotherSizeIsScaledAndReported) {
   make_folders({"right", "mine"});
   folder.write("right/ball.png", folder.read("right.png"));
   folder.write("mine/ball.png", folder.read("small.png"));
-  const ProgramRun run = in_folder({"grade", "mine", "--references", "right"});
+  const ProgramRun run = program({"grade", "mine", "--references", "right"});
   EXPECT_EQ(run.status, 1);
   EXPECT_THAT(run.out, HasSubstr("the size is 32x24, expected 64x48; compared after scaling"));
 }
@@ -818,18 +811,18 @@ TEST_F(Grade, PicturesThatMatchNothingAreListed) {
   folder.write("mine/ball (1).png", folder.read("right.png"));
   folder.write("mine/results/the box.png", folder.read("wrong.png"));
   const std::vector<std::string> words{"grade", "mine", "--references", "right"};
-  EXPECT_THAT(in_folder(words).out,
+  EXPECT_THAT(program(words).out,
               AllOf(HasSubstr("mine  1 of 2 passed\n    missing: cube\n"),
                     HasSubstr("    1 picture matches no reference: results/the box.png; --map")));
   std::vector<std::string> more = words;
   more.insert(more.end(), {"--json", "--report", "report.html"});
-  const rapidjson::Document document = parse_json(in_folder(more).out);
+  const rapidjson::Document document = parse_json(program(more).out);
   EXPECT_STREQ(document["students"][0]["unmatched"][0].GetString(), "results/the box.png");
   EXPECT_THAT(folder.read("report.html"),
               HasSubstr("1 picture matches no reference: results/the box.png."));
   // More than was asked for.
   folder.write("mine/cube.png", folder.read("wrong.png"));
-  EXPECT_THAT(in_folder(words).out, Not(HasSubstr("matches no reference")));
+  EXPECT_THAT(program(words).out, Not(HasSubstr("matches no reference")));
 }
 
 #ifdef SCENEFILE_ARCHIVE
@@ -848,7 +841,7 @@ TEST_F(Grade, ArchivesAreFoldersAndNobodyIsLost) {
   folder.write("class/smithjohn_LATE_12_345_ball.png", right);
   folder.write("class/stray.png", right);
   const std::vector<std::string> words{"grade", "class", "--references", "right"};
-  const ProgramRun run = in_folder(words);
+  const ProgramRun run = program(words);
   EXPECT_EQ(run.status, 1);
   EXPECT_EQ(run.err, "");
   EXPECT_THAT(run.out,
@@ -864,7 +857,7 @@ TEST_F(Grade, ArchivesAreFoldersAndNobodyIsLost) {
                     HasSubstr("    ada/ball_gen.png: ball.png is used for test_ball\n")));
   std::vector<std::string> more = words;
   more.insert(more.end(), {"--json", "--csv-students", "s.csv"});
-  const rapidjson::Document document = parse_json(in_folder(more).out);
+  const rapidjson::Document document = parse_json(program(more).out);
   EXPECT_EQ(document["ignored"].Size(), 4U);
   EXPECT_STREQ(document["ignored"][0]["path"].GetString(), "stray.png");
   EXPECT_FALSE(document["ignored"][0].HasMember("student"));
@@ -882,12 +875,12 @@ TEST_F(Grade, ArchivesAreFoldersAndNobodyIsLost) {
   for (const char* part : {"1/3", "2/3", "3/3"}) {
     std::vector<std::string> share = with_store;
     share.insert(share.end(), {"--part", part});
-    EXPECT_EQ(in_folder(share).status, 0);
+    EXPECT_EQ(program(share).status, 0);
   }
-  EXPECT_EQ(in_folder(with_store).out, run.out);
+  EXPECT_EQ(program(with_store).out, run.out);
   // An archive is an input.
   more.back() = "class/gina.zip";
-  EXPECT_EQ(in_folder(more).status, 2);
+  EXPECT_EQ(program(more).status, 2);
 }
 #endif
 
@@ -896,12 +889,12 @@ TEST_F(Grade, AJpegIsReported) {
   folder.write("right/ball.png", folder.read("right.png"));
   std::filesystem::copy_file(std::filesystem::path(SCENEFILE_FIXTURES) / "asset/rgb.jpg",
                              folder.path("mine/ball.png"));
-  EXPECT_THAT(in_folder({"grade", "mine", "--references", "right"}).out,
+  EXPECT_THAT(program({"grade", "mine", "--references", "right"}).out,
               HasSubstr("; it is a JPEG, which changes colors: a PNG is needed"));
-  const ProgramRun run = in_folder({"diff", "right.png", "mine/ball.png"});
+  const ProgramRun run = program({"diff", "right.png", "mine/ball.png"});
   EXPECT_THAT(run.out,
               HasSubstr("  mine/ball.png is a JPEG, which changes colors: compare PNGs\n"));
-  EXPECT_THAT(in_folder({"diff", "right.png", "small.png"}).out, Not(HasSubstr("JPEG")));
+  EXPECT_THAT(program({"diff", "right.png", "small.png"}).out, Not(HasSubstr("JPEG")));
 }
 
 TEST_F(Grade, ThePictureOfAnotherReferenceIsReported) {
@@ -914,7 +907,7 @@ TEST_F(Grade, ThePictureOfAnotherReferenceIsReported) {
   folder.write("right/box.png", folder.read("box.png"));
   folder.write("mine/ball.png", folder.read("box.png"));
   folder.write("mine/box.png", folder.read("right.png"));
-  const ProgramRun run = in_folder({"grade", "mine", "--references", "right"});
+  const ProgramRun run = program({"grade", "mine", "--references", "right"});
   EXPECT_EQ(run.status, 1);
   EXPECT_THAT(run.out, AllOf(HasSubstr("ball: differs: it is the picture of box\n"),
                              HasSubstr("box: differs: it is the picture of ball\n")));
@@ -933,7 +926,7 @@ TEST_F(Grade, ABlackPictureIsNotThatOfADarkReference) {
   draw("black.xml", "mine/ball.png", "64x48");
   folder.write("right/ball.png", folder.read("right.png"));
   folder.write("mine/dark.png", folder.read("right/dark.png"));
-  const ProgramRun run = in_folder({"grade", "mine", "--references", "right"});
+  const ProgramRun run = program({"grade", "mine", "--references", "right"});
   EXPECT_THAT(run.out, AllOf(HasSubstr("ball: differs: "), Not(HasSubstr("it is the picture of"))));
 }
 
@@ -941,7 +934,7 @@ TEST_F(Grade, NoMatchIsAnErrorNotAGradeOfZero) {
   make_folders({"right", "class/anna"});
   folder.write("right/ball.png", folder.read("right.png"));
   folder.write("class/anna/cube.png", folder.read("right.png"));
-  const ProgramRun run = in_folder({"grade", "class", "--references", "right"});
+  const ProgramRun run = program({"grade", "class", "--references", "right"});
   EXPECT_EQ(run.status, 3);
   EXPECT_EQ(run.out, "");
   EXPECT_THAT(run.err,
@@ -949,19 +942,18 @@ TEST_F(Grade, NoMatchIsAnErrorNotAGradeOfZero) {
                               "looked for ball.png, "),
                     HasSubstr("found \"cube.png\", for example")));
   make_folders({"class2/anna"});
-  EXPECT_THAT(in_folder({"grade", "class2", "--references", "right"}).err,
+  EXPECT_THAT(program({"grade", "class2", "--references", "right"}).err,
               HasSubstr("\"class2\" contains no pictures\n"));
 }
 
 TEST_F(Grade, MissingArguments) {
-  EXPECT_EQ(in_folder({"grade", "."}).status, 2);
-  EXPECT_EQ(in_folder({"grade", "nowhere", "--references", "."}).status, 3);
+  EXPECT_EQ(program({"grade", "."}).status, 2);
+  EXPECT_EQ(program({"grade", "nowhere", "--references", "."}).status, 3);
   std::filesystem::create_directory(folder.path("empty"));
-  const ProgramRun run = in_folder({"grade", ".", "--references", "empty"});
+  const ProgramRun run = program({"grade", ".", "--references", "empty"});
   EXPECT_EQ(run.status, 3);
   EXPECT_THAT(run.err, HasSubstr("\"empty\" contains no pictures"));
-  const ProgramRun no_scenes =
-      in_folder({"grade", ".", "--references", ".", "--scenes", "nowhere"});
+  const ProgramRun no_scenes = program({"grade", ".", "--references", ".", "--scenes", "nowhere"});
   EXPECT_EQ(no_scenes.status, 3);
   EXPECT_THAT(no_scenes.err, HasSubstr("\"nowhere\" is not a readable folder"));
   EXPECT_EQ(no_scenes.out, "");

@@ -17,7 +17,7 @@ using namespace testing_support;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-struct RealtimeProgram : ::testing::Test {
+struct RealtimeProgram : ProgramFolder {
   static std::string fixture(const std::string& name) {
     return std::string(SCENEFILE_FIXTURES) + "/commands/" + name + ".json";
   }
@@ -33,8 +33,6 @@ struct RealtimeProgram : ::testing::Test {
     return {picture->rgb.begin(), picture->rgb.end()};
   }
   static bool has_gl(const ProgramRun& run) { return run.status != 3; }
-
-  TempFolder folder;
 };
 
 void is_refused(std::vector<std::string> words, const std::string& text) {

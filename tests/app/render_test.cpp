@@ -20,7 +20,7 @@ Texture decode(const std::string& bytes) {
   return picture ? *std::move(picture) : Texture();
 }
 
-struct Render : ::testing::Test {
+struct Render : ProgramFolder {
   Render() { scene = folder.write("scene.xml", good_scene); }
 
   // Renders a small picture to out.png.
@@ -31,7 +31,6 @@ struct Render : ::testing::Test {
     return run_program(words, settings);
   }
 
-  TempFolder folder;
   std::string scene;
 };
 

@@ -41,6 +41,15 @@ struct RunSettings {
 
 ProgramRun run_program(const std::vector<std::string>& arguments, const RunSettings& settings = {});
 
+/// A test in a folder of its own, where the program runs.
+struct ProgramFolder : ::testing::Test {
+  ProgramRun program(const Words& words, const std::string& input = {}) const {
+    return run_program(words, {.input = input, .folder = folder.path()});
+  }
+
+  TempFolder folder;
+};
+
 /// Parses the document, and checks that it is valid and complete.
 rapidjson::Document parse_json(const std::string& text);
 

@@ -22,12 +22,10 @@ std::string text_of(const Value& message) {
   return message["text"].GetString();
 }
 
-struct Sarif : ::testing::Test {
-  TempFolder folder;
-
+struct Sarif : ProgramFolder {
   rapidjson::Document check(std::vector<std::string> arguments, int status) {
     arguments.insert(arguments.begin(), {"check", "--sarif"});
-    const ProgramRun run = run_program(arguments, {.folder = folder.path()});
+    const ProgramRun run = program(arguments);
     EXPECT_EQ(run.status, status);
     EXPECT_EQ(run.err, "");
     return parse_json(run.out);

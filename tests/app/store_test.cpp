@@ -21,7 +21,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
-struct Store : ::testing::Test {
+struct Store : ProgramFolder {
   Store() { folder.write("scene.xml", good_scene); }
   void SetUp() override {
     if (SCENEFILE_OPENEXR == 0) {
@@ -29,9 +29,8 @@ struct Store : ::testing::Test {
     }
   }
 
-  ProgramRun run(const Words& words) const { return run_program(words, {.folder = folder.path()}); }
   ProgramRun render(const Words& more) const {
-    return run(Words{"render", "scene.xml", "--size", "70x90"} + more);
+    return program(Words{"render", "scene.xml", "--size", "70x90"} + more);
   }
   ProgramRun store(const Words& more) const { return render(Words{"--store", "bands"} + more); }
   ProgramRun share(int number, int count, const Words& more = {}) const {
@@ -52,8 +51,6 @@ struct Store : ::testing::Test {
     return names;
   }
   void forget() const { fs::remove_all(folder.path("bands")); }
-
-  TempFolder folder;
 };
 
 // Both profiles, layers, denoising, paths and crops, in all formats.
@@ -117,7 +114,7 @@ TEST_F(Store, BandsSayWhatTheyAre) {
   EXPECT_THAT(band, HasSubstr(" width=70 height=90 profile=fine "));
   // Other programs show it at its place.
   ASSERT_EQ(render({"-o", "whole.exr"}).status, 0);
-  const ProgramRun differs = run({"diff", "whole.exr", "bands/00032-00064.exr", "--json"});
+  const ProgramRun differs = program({"diff", "whole.exr", "bands/00032-00064.exr", "--json"});
   EXPECT_EQ(differs.status, 1);
   EXPECT_FALSE(fs::exists(folder.path("out.png")));
 }
@@ -229,14 +226,14 @@ TEST_F(Store, AnInterruptedRenderContinues) {
     EXPECT_THAT(cut.err, AnyOf("", HasSubstr("interrupted; the same command continues")));
     EXPECT_FALSE(fs::exists(folder.path("out.png")));
   }
-  ASSERT_EQ(run(words).status, 0);
+  ASSERT_EQ(program(words).status, 0);
   for (const std::string& name : bands()) {
     EXPECT_TRUE(name.ends_with(".exr")) << name;
   }
   Words plain = words;
   plain.erase(plain.begin() + 8, plain.begin() + 10);
   plain[9] = "plain.png";
-  ASSERT_EQ(run(plain).status, 0);
+  ASSERT_EQ(program(plain).status, 0);
   EXPECT_TRUE(folder.read("plain.png") == folder.read("out.png"));
 }
 
@@ -265,7 +262,7 @@ TEST_F(Store, UsageErrorsAreReportedImmediately) {
   for (const char* const gone : {"--checkpoint", "--preview"}) {
     EXPECT_EQ(render({"-o", "x.png", gone, "y.png"}).status, 2);
   }
-  EXPECT_EQ(run({"merge", "parts", "-o", "x.png"}).status, 2);
+  EXPECT_EQ(program({"merge", "parts", "-o", "x.png"}).status, 2);
   EXPECT_THAT(folder.list(), ElementsAre("scene.xml"));
 }
 

@@ -27,16 +27,16 @@ ProgramRun at_terminal(const std::vector<std::string>& words,
   return run_program(words, settings);
 }
 
-TEST(Terminal, FindingsAreColoredUnlessDisabled) {
-  const TempFolder folder;
+struct TerminalOutput : ProgramFolder {};
+
+TEST_F(TerminalOutput, FindingsAreColoredUnlessDisabled) {
   const std::vector<std::string> check{"check", folder.write("s.xml", "<scenefile>")};
   EXPECT_THAT(at_terminal(check).out, HasSubstr("\x1b[1;31merror:\x1b[0m"));
   EXPECT_THAT(at_terminal(check, {"NO_COLOR=1"}).out, Not(HasSubstr("\x1b")));
   EXPECT_THAT(at_terminal(check, {"TERM=dumb"}).out, Not(HasSubstr("\x1b")));
 }
 
-TEST(Terminal, ProgressIsOnlyShownOnATerminal) {
-  const TempFolder folder;
+TEST_F(TerminalOutput, ProgressIsOnlyShownOnATerminal) {
   const std::string scene = folder.write("s.xml", good_scene);
   const std::vector<std::string> render{"render", scene,    "-o", folder.path("o.png"),
                                         "--size", "200x200"};
@@ -54,8 +54,7 @@ TEST(Terminal, ProgressIsOnlyShownOnATerminal) {
   }
 }
 
-TEST(Terminal, LinesOfDiffWrapThere) {
-  const TempFolder folder;
+TEST_F(TerminalOutput, LinesOfDiffWrapThere) {
   const std::string scene = folder.write("s.xml", good_scene);
   const std::string reference = folder.path("a.png");
   const std::string mine = folder.path("b.png");

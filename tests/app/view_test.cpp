@@ -94,7 +94,7 @@ constexpr int sphere_x = 455;
 constexpr int cube_x = 675;
 constexpr int middle_y = 299;
 
-struct View : ::testing::Test {
+struct View : ProgramFolder {
   void SetUp() override {
     if (screen.name().empty()) {
       GTEST_SKIP() << "there is no Xvfb";
@@ -140,7 +140,6 @@ struct View : ::testing::Test {
   }
 
   Screen screen;
-  TempFolder folder;
   std::string path = folder.write("a.xml", scene);
 };
 
@@ -408,8 +407,9 @@ TEST_F(View, AnEmptyScriptEndsImmediately) {
   EXPECT_EQ(run.status, 0) << run.err;
 }
 
-TEST(ViewWithoutItsProgram, IsReported) {
-  const TempFolder folder;
+struct ViewWithoutItsProgram : ProgramFolder {};
+
+TEST_F(ViewWithoutItsProgram, IsReported) {
   const std::string alone = folder.path("scenefile");
   std::filesystem::copy_file(SCENEFILE_PROGRAM, alone);
   const std::string path = std::string(SCENEFILE_SCENES) + "/hello.xml";

@@ -1,4 +1,3 @@
-#include "app/carry_files.h"
 #include "app/command.h"
 #include "app/import_model.h"
 #include "app/json.h"
@@ -14,6 +13,7 @@
 #include "scenefile/format/write_scene.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/interrupt.h"
+#include "scenefile/verbs/carry_files.h"
 #include "scenefile/verbs/codes.h"
 
 #include <fmt/format.h>
@@ -63,7 +63,7 @@ std::string write_scene_file(LoadedScene& scene, const Options& options, Context
         fmt::format("{} comment{} not carried over", comments, comments == 1 ? " is" : "s are"));
   }
   context.phase = "looking for textures and meshes";
-  carry_files(scene, options.arguments[1], options);
+  carry_files(scene, options.arguments[1], options.access, options.load.limits);
   context.phase = "writing the scene";
   return write_scene(scene.written, scene_format(*options.to), options.load.limits,
                      scene.diagnostics);

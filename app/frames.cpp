@@ -2,7 +2,6 @@
 // structure is built once. Each file of a frame contains what it was drawn from: an existing frame
 // is skipped. A frame of another scene, or any other file, is only replaced with --overwrite.
 
-#include "app/carry_files.h"
 #include "app/command.h"
 #include "app/gl_picture.h"
 #include "app/item_key.h"
@@ -25,6 +24,7 @@
 #include "scenefile/scene/prepare.h"
 #include "scenefile/trace/layers.h"
 #include "scenefile/trace/trace_scene.h"
+#include "scenefile/verbs/carry_files.h"
 #include "scenefile/verbs/json_writer.h"
 #include "scenefile/verbs/scene_json.h"
 
@@ -438,7 +438,7 @@ ExitCode run_frames(const Options& given, Context& context) {
   check_picture(scene, options.render);
   if (!options.write_scenes.empty() && scene.usable()) {
     // All of them are in the folder of the first.
-    carry_files(scene, frame_name(options.write_scenes, 1), options);
+    carry_files(scene, frame_name(options.write_scenes, 1), options.access, options.load.limits);
   }
   const auto say_findings = [&] {
     if (!options.json) {

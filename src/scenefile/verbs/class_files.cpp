@@ -2,17 +2,13 @@
 
 #include "scenefile/asset/image_file.h"
 #include "scenefile/base/ascii.h"
-#include "scenefile/base/limits.h"
-#include "scenefile/base/text.h"
 #include "scenefile/io/archive.h"
-#include "scenefile/io/descriptor.h"
-#include "scenefile/io/file.h"
 #include "scenefile/io/folder.h"
+#include "scenefile/verbs/list_class.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <set>
 #include <tuple>
@@ -22,250 +18,8 @@ namespace scenefile {
 
 namespace {
 
-constexpr std::size_t max_class_files = 20'000;  // of a student
-constexpr std::size_t max_class_folders = 16;
-constexpr std::size_t max_archives = 3;  // in one another
-constexpr std::string_view gradescope_table = "submission_metadata.yml";
-constexpr std::string_view not_a_picture = "not a picture";
-constexpr std::string_view hidden = "hidden: its name begins with a dot";
-
-// A file in the class.
-struct Item {
-  FoundFile file;        // its folders are those below the class
-  std::string reason;    // why it is not a picture; empty: it is one
-  bool outside = false;  // of an archive whose folders do not contain it
-};
-
-struct Listing {
-  std::vector<Item> items;
-  std::vector<std::string> folders;  // directly in the class; possibly empty ones
-  std::string gradescope;            // the contents of its table
-  std::string gradescope_path;
-};
-
-bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-bool is_other_archive(std::string_view name) {
-  return is_one_of(ending_of(name), {".rar", ".7z", ".gz", ".bz2", ".tbz", ".tbz2", ".xz", ".txz",
-                                     ".zst", ".lz", ".lzma", ".z", ".zipx"});
-}
-
-// Why a file with this name is not read.
-std::string why_unread(std::string_view name) {
-  if (is_other_archive(name)) {
-    return "archives of this kind are not read: use .zip, .tar or .tar.gz";
-  }
-  if (is_one_of(ending_of(name), {".webp", ".heic", ".heif", ".tif", ".tiff", ".avif", ".jxl",
-                                  ".svg", ".pdf", ".psd"})) {
-    return "pictures of this kind are not read: use .png";
-  }
-  return std::string(not_a_picture);
-}
-
-std::string joined(const std::vector<std::string>& folders, const std::string& name) {
-  std::string path;
-  for (const std::string& folder : folders) {
-    path += folder + "/";
-  }
-  return path + name;
-}
-
-FoundFile file_of(std::string path, std::vector<std::string> folders,
-                  std::vector<std::string> entries = {}) {
-  FoundFile file{std::move(path), std::move(folders), {}, std::move(entries)};
-  const std::string name = file_name(file);
-  file.stem = name.substr(0, name.size() - ending_of(name).size());
-  return file;
-}
-
-// What an archive in another one may use.
-ArchiveBudget inner_budget(const ArchiveBudget& outer) {
-  const ArchiveBudget usual;
-  return {std::min(usual.entries, outer.entries), std::min(usual.bytes, outer.bytes)};
-}
-
-// Visits an archive in another one, whose budget it shares.
-template <typename Visit>
-std::string visit_inner(const std::string& bytes, ArchiveBudget& outer, const Visit& visit) {
-  const ArchiveBudget before = inner_budget(outer);
-  ArchiveBudget inner = before;
-  std::string why = visit_archive_bytes(
-      bytes, inner,
-      [&](const ArchiveEntry& entry, const ReadEntry& read) { visit(entry, read, inner); });
-  outer.entries -= before.entries - inner.entries;
-  outer.bytes -= before.bytes - inner.bytes;
-  return why;
-}
-
-// Lists folders and archives.
-class Lister {
- public:
-  explicit Lister(Listing& listing) : listing_(listing) {}
-
-  void add_class(const std::string& folder) {
-    if (!is_folder(folder)) {
-      // The archive itself is not in a folder of the class. The user named it, so links to it are
-      // followed.
-      const FoundFile archive = file_of(follow_links(folder), {});
-      left_ = class_archive_budget.entries;
-      const std::string why = add_archive(archive, {}, class_archive_budget);
-      if (!why.empty()) {
-        listing_.items.push_back({archive, why});
-      }
-      return;
-    }
-    for (const FolderEntry& entry : entries_of(folder)) {
-      left_ = max_class_files;
-      if (is_hidden_name(entry.name)) {
-        add(file_of(entry.path, {}), std::string(hidden));
-      } else if (entry.folder) {
-        listing_.folders.push_back(entry.name);
-        add_folder(entry.path, {entry.name});
-      } else {
-        add_file(entry, {});
-      }
-    }
-  }
-
- private:
-  void add(FoundFile file, std::string reason, bool outside = false) {
-    if (left_ == 0) {
-      return;
-    }
-    --left_;
-    listing_.items.push_back(
-        {std::move(file), left_ > 0 ? std::move(reason) : "too many files: the rest are not read",
-         outside});
-  }
-
-  void add_folder(const std::string& folder, const std::vector<std::string>& folders) {
-    std::string problem;
-    const std::vector<FolderEntry> entries = entries_of(folder, &problem);
-    if (!problem.empty()) {
-      add(file_of(folder, {folders.begin(), folders.end() - 1}),
-          "the folder cannot be read: " + problem);
-    }
-    for (const FolderEntry& entry : entries) {
-      if (is_hidden_name(entry.name)) {
-        add(file_of(entry.path, folders), std::string(hidden));
-      } else if (!entry.folder) {
-        add_file(entry, folders);
-      } else if (entry.link || folders.size() >= max_class_folders) {
-        add(file_of(entry.path, folders),
-            entry.link ? "links to folders are not followed"
-                       : fmt::format("nested more than {} folders deep", max_class_folders));
-      } else {
-        std::vector<std::string> inside = folders;
-        inside.push_back(entry.name);
-        add_folder(entry.path, inside);
-      }
-    }
-  }
-
-  void add_file(const FolderEntry& entry, const std::vector<std::string>& folders) {
-    FoundFile file = file_of(entry.path, folders);
-    if (folders.empty() && entry.name == gradescope_table) {
-      add_gradescope_table(std::move(file), read_file(entry.path, Limits{}.file_bytes));
-      return;
-    }
-    if (is_picture_name(entry.name)) {
-      add(std::move(file), {});
-      return;
-    }
-    std::string why;
-    if (!is_archive_name(entry.name)) {
-      why = why_unread(entry.name);
-    } else if (entry.link) {
-      why = "a symbolic link, not a file";
-    } else {
-      std::vector<std::string> inside = folders;
-      inside.push_back(entry.name);
-      why = add_archive(file, inside, {});
-    }
-    if (!why.empty()) {
-      add(std::move(file), std::move(why));
-    }
-  }
-
-  void add_gradescope_table(FoundFile file, const Result<std::string>& text) {
-    listing_.gradescope_path = file.path;
-    if (text) {
-      listing_.gradescope = *text;
-    } else {
-      add(std::move(file), text.error().text);
-    }
-  }
-
-  // Returns what is wrong with the archive; its entries are in `folders`.
-  std::string add_archive(const FoundFile& archive, const std::vector<std::string>& folders,
-                          ArchiveBudget budget) {
-    budget.entries = std::min<std::uint64_t>(budget.entries, left_);
-    const std::size_t before = listing_.items.size();
-    std::string why =
-        visit_archive(archive.path, budget, [&](const ArchiveEntry& entry, const ReadEntry& read) {
-          add_entry(archive, folders, entry, read, budget);
-        });
-    return why.empty() && listing_.items.size() == before ? "it contains no files" : why;
-  }
-
-  void add_entry(const FoundFile& archive, std::vector<std::string> folders,
-                 const ArchiveEntry& entry, const ReadEntry& read, ArchiveBudget& budget) {
-    std::string_view path = entry.path;
-    for (std::size_t slash = path.find('/'); slash != std::string_view::npos;
-         slash = path.find('/')) {
-      folders.emplace_back(path.substr(0, slash));
-      path.remove_prefix(slash + 1);
-    }
-    std::vector<std::string> entries = archive.entries;
-    entries.push_back(entry.path);
-    FoundFile file = file_of(archive.path, folders, std::move(entries));
-    if (folders.size() <= 1 && path == gradescope_table && entry.problem.empty()) {
-      add_gradescope_table(std::move(file), read(Limits{}.file_bytes));
-      return;
-    }
-    std::string why = entry.problem;
-    if (why.empty() &&
-        (is_hidden_name(path) || std::any_of(folders.begin(), folders.end(), is_hidden_name))) {
-      why = hidden;
-    } else if (why.empty() && is_archive_name(path)) {
-      std::vector<std::string> inside = folders;
-      inside.emplace_back(path);
-      why = add_inner_archive(file, inside, read, budget);
-      if (why.empty()) {
-        return;
-      }
-    } else if (why.empty() && !is_picture_name(path)) {
-      why = why_unread(path);
-    }
-    add(std::move(file), std::move(why), entry.outside);
-  }
-
-  std::string add_inner_archive(const FoundFile& archive, const std::vector<std::string>& folders,
-                                const ReadEntry& read, ArchiveBudget& budget) {
-    if (archive.entries.size() >= max_archives) {
-      return fmt::format("archives nested more than {} deep", max_archives);
-    }
-    const Result<std::string> bytes = read(inner_budget(budget).bytes);
-    if (!bytes) {
-      return bytes.error().text;
-    }
-    const std::size_t before = listing_.items.size();
-    std::string why = visit_inner(
-        *bytes, budget,
-        [&](const ArchiveEntry& entry, const ReadEntry& read_inner, ArchiveBudget& inner) {
-          add_entry(archive, folders, entry, read_inner, inner);
-        });
-    return why.empty() && listing_.items.size() == before ? "it contains no files" : why;
-  }
-
-  Listing& listing_;
-  std::size_t left_ = max_class_files;
-};
-
 // Of entries with the same path, the last one counts.
-void drop_overwritten(std::vector<Item>& items) {
+void drop_overwritten(std::vector<ClassItem>& items) {
   std::map<std::pair<std::string, std::vector<std::string>>, std::size_t> last;
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (!items[i].file.entries.empty()) {
@@ -279,11 +33,11 @@ void drop_overwritten(std::vector<Item>& items) {
 }
 
 // The first folder, or the name of a file directly in the class.
-std::string top_of(const Item& item) {
+std::string top_of(const ClassItem& item) {
   return item.file.folders.empty() ? file_name(item.file) : item.file.folders.front();
 }
 
-bool is_loose(const Item& item) {
+bool is_loose(const ClassItem& item) {
   return item.file.folders.empty();
 }
 
@@ -302,9 +56,10 @@ bool read_name(const std::string& name, const std::vector<FoundFile>& references
 
 // Archives of a whole class often have one folder that contains the rest; and the archive that a
 // course system made may lie next to other files.
-void unwrap(std::vector<Item>& items, const std::vector<FoundFile>& references, bool is_archive) {
+void unwrap(std::vector<ClassItem>& items, const std::vector<FoundFile>& references,
+            bool is_archive) {
   const auto enter = [&](const std::string& top) {
-    for (Item& item : items) {
+    for (ClassItem& item : items) {
       if (!is_loose(item) && item.file.folders.front() == top) {
         item.file.folders.erase(item.file.folders.begin());
       }
@@ -312,14 +67,14 @@ void unwrap(std::vector<Item>& items, const std::vector<FoundFile>& references, 
   };
   while (is_archive && !items.empty() && !is_loose(items.front()) &&
          !is_archive_name(items.front().file.folders.front()) &&
-         std::all_of(items.begin(), items.end(), [&](const Item& item) {
+         std::all_of(items.begin(), items.end(), [&](const ClassItem& item) {
            return !is_loose(item) &&
                   item.file.folders.front() == items.front().file.folders.front();
          })) {
     enter(std::string(items.front().file.folders.front()));
   }
   std::set<std::string> packed;
-  for (const Item& item : items) {
+  for (const ClassItem& item : items) {
     CourseSystemName name;
     if (item.file.folders.size() == 1 && is_archive_name(item.file.folders.front()) &&
         !read_name(item.file.folders.front(), references, name) &&
@@ -334,10 +89,10 @@ void unwrap(std::vector<Item>& items, const std::vector<FoundFile>& references, 
 
 // The number of references that the pictures among the items show.
 template <typename Take>
-std::size_t shown(const std::vector<Item>& items, const std::vector<FoundFile>& references,
+std::size_t shown(const std::vector<ClassItem>& items, const std::vector<FoundFile>& references,
                   const Take& take) {
   std::vector<FoundFile> pictures;
-  for (const Item& item : items) {
+  for (const ClassItem& item : items) {
     if (item.reason.empty() && take(item)) {
       pictures.push_back(item.file);
     }
@@ -354,15 +109,15 @@ struct Top {
   bool folder = false;
   bool of_system = false;  // `system` is set
   CourseSystemName system = {};
-  std::vector<const Item*> items = {};
+  std::vector<const ClassItem*> items = {};
 };
 
-std::vector<Top> tops_of(const Listing& listing, const std::vector<FoundFile>& references) {
+std::vector<Top> tops_of(const ClassListing& listing, const std::vector<FoundFile>& references) {
   std::map<std::string, Top> tops;
   for (const std::string& folder : listing.folders) {
     tops[folder].folder = true;
   }
-  for (const Item& item : listing.items) {
+  for (const ClassItem& item : listing.items) {
     Top& top = tops[top_of(item)];
     top.folder = top.folder || !is_loose(item);
     top.items.push_back(&item);
@@ -380,7 +135,7 @@ std::vector<Top> tops_of(const Listing& listing, const std::vector<FoundFile>& r
 // Only one student: there are only folders of layouts, or the pictures next to folders show at
 // least as many references as those in them. Not if most have names of a course system; a few
 // pictures look as if they had, such as ball_640_480_final.png. `why`: set in the second case.
-bool is_one_student(const std::vector<Top>& tops, const std::vector<Item>& items,
+bool is_one_student(const std::vector<Top>& tops, const std::vector<ClassItem>& items,
                     const std::vector<FoundFile>& references, std::string& why) {
   std::size_t in_folders = 0;
   bool layout = true;
@@ -402,7 +157,7 @@ bool is_one_student(const std::vector<Top>& tops, const std::vector<Item>& items
   const std::size_t loose = shown(items, references, is_loose);
   for (const Top& top : tops) {
     if (loose > 0 && !is_layout_folder(without_archive_ending(top.name))) {
-      in_folders += shown(items, references, [&](const Item& item) {
+      in_folders += shown(items, references, [&](const ClassItem& item) {
         return !is_loose(item) && item.file.folders.front() == top.name;
       });
     }
@@ -462,13 +217,12 @@ class ClassBuilder {
       : references_(references), folder_(folder) {}
 
   ClassFiles build() {
-    Listing listing;
-    Lister(listing).add_class(folder_);
+    ClassListing listing = list_class(folder_);
     drop_overwritten(listing.items);
     const bool is_archive = !is_folder(folder_);
     std::set<std::string> paths;
     // In the archive of a class, their folders do not say whose they are.
-    std::erase_if(listing.items, [&](const Item& item) {
+    std::erase_if(listing.items, [&](const ClassItem& item) {
       const bool unknown = is_archive && item.outside && item.file.entries.size() == 1;
       if (unknown) {
         paths.insert(item.file.path);
@@ -477,8 +231,8 @@ class ClassBuilder {
       return unknown;
     });
     paths.insert(listing.gradescope_path);
-    for (const Item& item : listing.items) {
-      paths_.push_back(joined(item.file.folders, file_name(item.file)));
+    for (const ClassItem& item : listing.items) {
+      paths_.push_back(path_below(item.file));
       if (item.reason != not_a_picture) {
         paths.insert(item.file.path);
       }
@@ -490,7 +244,7 @@ class ClassBuilder {
     if (is_one_student(tops, listing.items, references_, result_.one_student)) {
       StudentFiles& student = result_.students.emplace_back();
       student.name = name_of_class(folder_);
-      for (const Item& item : listing.items) {
+      for (const ClassItem& item : listing.items) {
         add(student, item, item.file);
       }
       return std::move(result_);
@@ -508,11 +262,11 @@ class ClassBuilder {
     std::vector<Top*> tops = {};
   };
 
-  const std::string& path_of(const Item& item) const {
+  const std::string& path_of(const ClassItem& item) const {
     return paths_[static_cast<std::size_t>(&item - first_)];
   }
 
-  void add(StudentFiles& student, const Item& item, FoundFile file) const {
+  void add(StudentFiles& student, const ClassItem& item, FoundFile file) const {
     if (item.reason.empty()) {
       student.pictures.push_back(std::move(file));
     } else {
@@ -526,7 +280,7 @@ class ClassBuilder {
     if (!top.items.empty()) {
       const FoundFile& file = top.items.front()->file;
       path = path_of(*top.items.front());
-      path.resize(path.size() - joined(file.folders, file_name(file)).size());
+      path.resize(path.size() - path_below(file).size());
     }
     student.ignored.push_back({path + top.name, student.name, reason});
   }
@@ -547,7 +301,7 @@ class ClassBuilder {
                                                  : top.name.substr(0, top.name.find('.'));
         key = "/" + student.name;
       } else if (!top.folder) {
-        for (const Item* item : top.items) {
+        for (const ClassItem* item : top.items) {
           result_.ignored.push_back(
               {path_of(*item),
                {},
@@ -612,7 +366,7 @@ class ClassBuilder {
           continue;
         }
       }
-      for (const Item* item : top->items) {
+      for (const ClassItem* item : top->items) {
         FoundFile file = item->file;
         if (is_loose(*item) && top->of_system) {
           file.stem = stem_of(top->system.original);
@@ -635,37 +389,10 @@ class ClassBuilder {
 
   const std::vector<FoundFile>& references_;
   const std::string& folder_;
-  const Item* first_ = nullptr;
+  const ClassItem* first_ = nullptr;
   std::vector<std::string> paths_;  // of the items, below the class
   ClassFiles result_;
 };
-
-// Reads the files of `wanted` (indices), whose paths have `level` archives before this one.
-void read_entries(const std::vector<FoundFile>& files, const std::vector<std::size_t>& wanted,
-                  std::size_t level, const ArchiveEntry& entry, const ReadEntry& read,
-                  ArchiveBudget& budget, std::vector<Result<std::string>>& results) {
-  std::vector<std::size_t> here;
-  std::vector<std::size_t> inside;
-  for (const std::size_t i : wanted) {
-    if (files[i].entries[level] == entry.path) {
-      (files[i].entries.size() == level + 1 ? here : inside).push_back(i);
-    }
-  }
-  if (here.empty() && inside.empty()) {
-    return;
-  }
-  const Result<std::string> bytes =
-      read(inside.empty() ? Limits{}.file_bytes : inner_budget(budget).bytes);
-  for (const std::size_t i : here) {
-    results[i] = bytes;
-  }
-  if (!inside.empty() && bytes) {
-    visit_inner(*bytes, budget,
-                [&](const ArchiveEntry& inner, const ReadEntry& read_inner, ArchiveBudget& left) {
-                  read_entries(files, inside, level + 1, inner, read_inner, left, results);
-                });
-  }
-}
 
 }  // namespace
 
@@ -681,32 +408,6 @@ std::string name_of_class(const std::string& folder) {
 
 ClassFiles find_class_files(const std::string& folder, const std::vector<FoundFile>& references) {
   return ClassBuilder(folder, references).build();
-}
-
-std::vector<Result<std::string>> read_archived(const std::vector<FoundFile>& files,
-                                               const ArchiveBudget& budget) {
-  std::vector<Result<std::string>> results(files.size(), Error{});
-  std::map<std::string, std::vector<std::size_t>> archives;
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    archives[files[i].path].push_back(i);
-  }
-  for (auto& [path, wanted] : archives) {
-    // After damage, the rest of the archive may only be readable without the damaged entry.
-    for (std::size_t before = wanted.size() + 1; !wanted.empty() && wanted.size() < before;) {
-      before = wanted.size();
-      ArchiveBudget left = budget;
-      const std::string why = visit_archive(
-          path, left, [&, &of_archive = wanted](const ArchiveEntry& entry, const ReadEntry& read) {
-            read_entries(files, of_archive, 0, entry, read, left, results);
-          });
-      std::erase_if(wanted,
-                    [&](std::size_t i) { return results[i] || !results[i].error().text.empty(); });
-      for (const std::size_t i : wanted) {
-        results[i] = Error{wanted.size() < before ? "" : why.empty() ? "it cannot be found" : why};
-      }
-    }
-  }
-  return results;
 }
 
 }  // namespace scenefile

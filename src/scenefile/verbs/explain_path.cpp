@@ -42,10 +42,9 @@ class PathText {
         names_(scene.written, scene.ready.sources) {}
 
   std::string text(const std::optional<PathNeighborhood>& around) const {
-    ExplainItem top{
-        fmt::format("{}, pixel {},{} of {}x{}, mode path\n", escaped(shown_name(loaded_.path)),
-                    pixel_.x, pixel_.y, pixel_.options.width, pixel_.options.height),
-        {}};
+    ExplainItem top(fmt::format("{}, pixel {},{} of {}x{}, mode path\n",
+                                escaped(shown_name(loaded_.path)), pixel_.x, pixel_.y,
+                                pixel_.options.width, pixel_.options.height));
     const auto& [red, green, blue] = pixel_.picture;
     top.add(fmt::format("{} {}, the mean of the samples before tone mapping; standard error {:.2g}",
                         bold("color"), color({red, green, blue}), pixel_.deviation));

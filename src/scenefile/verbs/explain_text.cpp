@@ -39,18 +39,18 @@ class Explanation {
                               : fmt::format("profile {}, mode {}", profile_word(options.profile),
                                             mode_word(options.mode)));
     ExplainItem top;
-    top.below.push_back(result());
+    top.add(result());
     if (yours_) {
-      top.below.push_back(yours());
+      top.add(yours());
     }
     if (!realtime_) {
-      top.below.push_back(samples());
-      top.below.push_back(shown_sample());
+      top.add(samples());
+      top.add(shown_sample());
     } else {
       if (realtime_->pixel.shares.size() > 1 || realtime_->panel.filter != Filter::none) {
-        top.below.push_back(frame());
+        top.add(frame());
       }
-      top.below.push_back(frame_pixel());
+      top.add(frame_pixel());
     }
     return text + tree_text(top);
   }
@@ -66,23 +66,20 @@ class Explanation {
 
   ExplainItem result() const {
     const auto& v = pixel_.value;
-    return {fmt::format("{} {} = {} {} {} of 255, {}", bold("color"), color(pixel_.color), v[0],
-                        v[1], v[2], course() ? "truncated" : "rounded"),
-            {}};
+    return fmt::format("{} {} = {} {} {} of 255, {}", bold("color"), color(pixel_.color), v[0],
+                       v[1], v[2], course() ? "truncated" : "rounded");
   }
 
   ExplainItem yours() const {
     const auto& v = yours_->value;
-    ExplainItem item{fmt::format("{} {} {} {} of 255{}", bold("yours"), v[0], v[1], v[2],
-                                 yours_->equal ? ": equals ours" : ""),
-                     {}};
+    ExplainItem item(fmt::format("{} {} {} {} of 255{}", bold("yours"), v[0], v[1], v[2],
+                                 yours_->equal ? ": equals ours" : ""));
     if (compared_) {
       add_compared_lines(item);
     }
     for (const YoursFit& fit : yours_->fits) {
-      item.below.push_back({fmt::format("equals ours {} = {:.1f} {:.1f} {:.1f} of 255", fit.what,
-                                        fit.value.x, fit.value.y, fit.value.z),
-                            {}});
+      item.add(fmt::format("equals ours {} = {:.1f} {:.1f} {:.1f} of 255", fit.what, fit.value.x,
+                           fit.value.y, fit.value.z));
     }
     if (!yours_->equal && yours_->fits.empty() && !compared_) {
       item.add("no single change of our terms gives this value");
@@ -141,12 +138,12 @@ class Explanation {
 
   ExplainItem samples() const {
     const std::size_t count = pixel_.samples.size();
-    ExplainItem item{fmt::format("{} {}{}", bold("samples"), count, why_more()), {}};
+    ExplainItem item(fmt::format("{} {}{}", bold("samples"), count, why_more()));
     for (std::size_t i = 0; i < std::min(count, max_explained_samples); ++i) {
-      item.below.push_back({sample_text(i), {}});
+      item.add(sample_text(i));
     }
     if (count > max_explained_samples) {
-      item.below.push_back({fmt::format("and {} more", count - max_explained_samples), {}});
+      item.add(fmt::format("and {} more", count - max_explained_samples));
     }
     return item;
   }
@@ -171,15 +168,16 @@ class Explanation {
 
   ExplainItem shown_sample() const {
     const SampleRecord& s = pixel_.samples[pixel_.shown];
-    return {fmt::format("{} {}: {}", bold("sample"), pixel_.shown, color(s.color)), {ray_item(0)}};
+    ExplainItem item(fmt::format("{} {}: {}", bold("sample"), pixel_.shown, color(s.color)));
+    item.add(ray_item(0));
+    return item;
   }
 
   // How the frame's pixels make up the picture's.
   ExplainItem frame() const {
     const RealtimePixel& pixel = realtime_->pixel;
-    ExplainItem item{fmt::format("{} of {}x{} pixels, filter {}", bold("frame"), pixel.frame.x,
-                                 pixel.frame.y, word_of(realtime_->panel.filter)),
-                     {}};
+    ExplainItem item(fmt::format("{} of {}x{} pixels, filter {}", bold("frame"), pixel.frame.x,
+                                 pixel.frame.y, word_of(realtime_->panel.filter)));
     std::string_view of_sum = "sum";
     switch (realtime_->panel.filter) {
       case Filter::none:
@@ -194,20 +192,17 @@ class Explanation {
         break;
     }
     const std::size_t count = pixel.shares.size();
-    item.below.push_back(
-        {fmt::format("color = {} of {} pixel{} of the frame, counted from the lower left", of_sum,
-                     count, count == 1 ? "" : "s"),
-         {}});
+    item.add(fmt::format("color = {} of {} pixel{} of the frame, counted from the lower left",
+                         of_sum, count, count == 1 ? "" : "s"));
     for (std::size_t i = 0; i < std::min(count, max_explained_samples); ++i) {
       const RealtimeFramePixel& share = pixel.shares[i];
-      item.below.push_back(
-          {fmt::format("{:.4f} times {},{}: {}, {}", share.weight, share.at.x, share.at.y,
-                       color(pixel_.samples[i].color),
-                       share.surface ? object(share.surface->object) : std::string("background")),
-           {}});
+      item.add(
+          fmt::format("{:.4f} times {},{}: {}, {}", share.weight, share.at.x, share.at.y,
+                      color(pixel_.samples[i].color),
+                      share.surface ? object(share.surface->object) : std::string("background")));
     }
     if (count > max_explained_samples) {
-      item.below.push_back({fmt::format("and {} more", count - max_explained_samples), {}});
+      item.add(fmt::format("and {} more", count - max_explained_samples));
     }
     return item;
   }
@@ -215,40 +210,40 @@ class Explanation {
   ExplainItem frame_pixel() const {
     const RealtimeFramePixel& share = realtime_->pixel.shares[pixel_.shown];
     const RayRecord& ray = pixel_.rays.front();
-    ExplainItem item{fmt::format("{} {},{} from the lower left: {}", bold("frame pixel"),
-                                 share.at.x, share.at.y, color(pixel_.samples[pixel_.shown].color)),
-                     {}};
+    ExplainItem item(fmt::format("{} {},{} from the lower left: {}", bold("frame pixel"),
+                                 share.at.x, share.at.y,
+                                 color(pixel_.samples[pixel_.shown].color)));
     if (ray.surface.has_value()) {
-      item.below.push_back(surface_item(*ray.surface));
+      item.add(surface_item(*ray.surface));
       add_remarks(item, 0, no_index);
       add_terms(item, 0);
     } else {
-      item.below.push_back({"nothing is drawn here: the background is black", {}});
+      item.add("nothing is drawn here: the background is black");
     }
     return item;
   }
 
   ExplainItem ray_item(std::uint32_t index) const {
     const RayRecord& ray = pixel_.rays[index];
-    ExplainItem item{ray_title(ray), {}};
+    ExplainItem item(ray_title(ray));
     if (largest(ray.weight * ray.color) < half_step && ray.kind != RayKind::camera) {
       item.text += ray.surface.has_value()
                        ? fmt::format(": hits {}, too faint to show", object(ray.surface->object))
                        : std::string(": hits nothing");
       return item;
     }
-    item.below.push_back({way_text(ray), {}});
+    item.add(way_text(ray));
     for (const WallRecord& wall : ray.walls) {
-      item.below.push_back(wall_item(wall));
+      item.add(wall_item(wall));
     }
     if (!ray.surface.has_value()) {
-      item.below.push_back({"hits nothing: the background is black", {}});
+      item.add("hits nothing: the background is black");
       add_remarks(item, index, no_index);
       return item;
     }
-    item.below.push_back(surface_item(*ray.surface));
+    item.add(surface_item(*ray.surface));
     if (pixel_.options.mode == Mode::normals) {
-      item.below.push_back({"color = (normal + 1) / 2 = " + color(ray.color), {}});
+      item.add("color = (normal + 1) / 2 = " + color(ray.color));
       return item;
     }
     add_remarks(item, index, no_index);
@@ -290,45 +285,43 @@ class Explanation {
   }
 
   ExplainItem wall_item(const WallRecord& wall) const {
-    return {fmt::format("at t = {:.6g} the wall of {}: {} along {}", wall.t, object(wall.object),
-                        wall.mirrored ? "mirrored" : "bent", vector_text(wall.direction)),
-            {}};
+    return fmt::format("at t = {:.6g} the wall of {}: {} along {}", wall.t, object(wall.object),
+                       wall.mirrored ? "mirrored" : "bent", vector_text(wall.direction));
   }
 
   ExplainItem surface_item(const SurfaceRecord& s) const {
-    ExplainItem item{
-        fmt::format("{} {} {} at {} {:.6g}", realtime_ ? "shows" : "hits", word_of(s.shape),
-                    bold(object(s.object)), realtime_ ? "distance" : "t =", s.t),
-        {}};
-    const auto add = [&](std::string text) { item.below.push_back({std::move(text), {}}); };
+    ExplainItem item(fmt::format("{} {} {} at {} {:.6g}", realtime_ ? "shows" : "hits",
+                                 word_of(s.shape), bold(object(s.object)),
+                                 realtime_ ? "distance" : "t =", s.t));
     if (s.shape == Shape::mesh) {
-      add(fmt::format("triangle {} of {}", s.triangle, escaped(scene_.mesh_files[s.mesh].name)));
+      item.add(
+          fmt::format("triangle {} of {}", s.triangle, escaped(scene_.mesh_files[s.mesh].name)));
     } else if (realtime_) {
-      add(fmt::format("triangle {} of the tessellated shape", s.triangle));
+      item.add(fmt::format("triangle {} of the tessellated shape", s.triangle));
     } else {
-      add(fmt::format("face {}", face_words[static_cast<std::size_t>(s.face)]));
+      item.add(fmt::format("face {}", face_words[static_cast<std::size_t>(s.face)]));
     }
-    add("point  " + vector_text(s.position) + ", in object space " +
-        vector_text(s.object_position));
-    add(fmt::format("normal {}{}, in object space {}", vector_text(s.normal),
-                    s.bumped ? " (by the bump map)" : "", vector_text(s.object_normal)));
+    item.add("point  " + vector_text(s.position) + ", in object space " +
+             vector_text(s.object_position));
+    item.add(fmt::format("normal {}{}, in object space {}", vector_text(s.normal),
+                         s.bumped ? " (by the bump map)" : "", vector_text(s.object_normal)));
     if (realtime_) {
-      add("normal of the triangle itself " + vector_text(s.geometric));
+      item.add("normal of the triangle itself " + vector_text(s.geometric));
     } else {
-      add(fmt::format("ray in object space from {} along {}", vector_text(s.object_ray.origin),
-                      vector_text(s.object_ray.direction)));
-      add(s.has_uv ? fmt::format("uv     {:.6g} {:.6g}", s.uv.x, s.uv.y)
-                   : std::string("uv     the mesh has none"));
+      item.add(fmt::format("ray in object space from {} along {}", vector_text(s.object_ray.origin),
+                           vector_text(s.object_ray.direction)));
+      item.add(s.has_uv ? fmt::format("uv     {:.6g} {:.6g}", s.uv.x, s.uv.y)
+                        : std::string("uv     the mesh has none"));
     }
     if (s.texture.has_value()) {
       const TextureRecord& t = *s.texture;
-      add(fmt::format("texture {}: texel {},{} = {}, looked up {}, blend {:.4g}",
-                      escaped(scene_.texture_files[t.file].name), t.texel.x, t.texel.y,
-                      color_text(t.texel_color), color(t.color), t.blend));
+      item.add(fmt::format("texture {}: texel {},{} = {}, looked up {}, blend {:.4g}",
+                           escaped(scene_.texture_files[t.file].name), t.texel.x, t.texel.y,
+                           color_text(t.texel_color), color(t.color), t.blend));
     }
     if (pixel_.options.mode != Mode::normals) {
-      add("D      " + color(s.diffuse_color) +
-          (s.texture.has_value() ? " = (1 - blend) kd Cd + blend texture" : " = kd Cd"));
+      item.add("D      " + color(s.diffuse_color) +
+               (s.texture.has_value() ? " = (1 - blend) kd Cd + blend texture" : " = kd Cd"));
     }
     return item;
   }
@@ -336,34 +329,32 @@ class Explanation {
   void add_remarks(ExplainItem& item, std::uint32_t ray, std::uint32_t light) const {
     for (const Remark& remark : remarks_) {
       if (remark.ray == ray && remark.light == light) {
-        item.below.push_back({remark_text(remark), {}});
+        item.add(remark_text(remark));
       }
     }
   }
 
   void add_terms(ExplainItem& item, std::uint32_t index) const {
     const RayRecord& ray = pixel_.rays[index];
-    item.below.push_back({fmt::format("{} ka Ca = {}", bold("ambient"), color(ray.ambient)), {}});
+    item.add(fmt::format("{} ka Ca = {}", bold("ambient"), color(ray.ambient)));
     for (const LightRecord& light : ray.lights) {
-      item.below.push_back(light_item(light, *ray.surface, index));
+      item.add(light_item(light, *ray.surface, index));
     }
     for (const BranchRecord* branch : {&ray.mirror, &ray.glass}) {
       if (branch->fate == Fate::followed) {
-        item.below.push_back(ray_item(branch->ray));
+        item.add(ray_item(branch->ray));
       }
     }
-    item.below.push_back({fmt::format("{} {}{}", bold("sum"), color(ray.sum),
-                                      ray.sum == ray.color ? "" : ", clamped to 0..1"),
-                          {}});
+    item.add(fmt::format("{} {}{}", bold("sum"), color(ray.sum),
+                         ray.sum == ray.color ? "" : ", clamped to 0..1"));
   }
 
   ExplainItem light_item(const LightRecord& record, const SurfaceRecord& s,
                          std::uint32_t ray) const {
     const RenderLight& light = scene_.lights[record.light];
     const WayPoint at = names_.at(light.source);
-    ExplainItem item{fmt::format("{}{} {}", bold(fmt::format("{} light", word_of(light.type))),
-                                 place_text(at.location), color(record.contribution)),
-                     {}};
+    ExplainItem item(fmt::format("{}{} {}", bold(fmt::format("{} light", word_of(light.type))),
+                                 place_text(at.location), color(record.contribution)));
     add_remarks(item, ray, record.light);
     if (record.taken == 1 && record.samples.size() == 1) {
       add_light_terms(item, light, record.samples.front(), s);
@@ -375,33 +366,32 @@ class Explanation {
 
   void add_light_terms(ExplainItem& item, const RenderLight& light, const LightSample& l,
                        const SurfaceRecord& s) const {
-    const auto add = [&](std::string text) { item.below.push_back({std::move(text), {}}); };
     const double n = scene_.materials[s.material].shininess;
-    add(fmt::format("L = {}, distance {:.6g}, N.L = {:.6g}, R.V = {:.6g}", vector_text(l.to_light),
-                    l.distance, l.n_dot_l, l.r_dot_v));
+    item.add(fmt::format("L = {}, distance {:.6g}, N.L = {:.6g}, R.V = {:.6g}",
+                         vector_text(l.to_light), l.distance, l.n_dot_l, l.r_dot_v));
     if (l.diffuse != Color(0)) {
-      add("diffuse  D (N.L) = " + color(l.diffuse));
+      item.add("diffuse  D (N.L) = " + color(l.diffuse));
     }
     if (l.specular != Color(0)) {
-      add(fmt::format("specular ks Cs (R.V)^{:.6g} = {}", n, color(l.specular)));
+      item.add(fmt::format("specular ks Cs (R.V)^{:.6g} = {}", n, color(l.specular)));
     }
-    add(fmt::format(
+    item.add(fmt::format(
         "light    {} times attenuation {:.6g}{} = {}", color_text(Color(light.color)),
         l.attenuation,
         has_cone(light.type) ? fmt::format(" times spot factor {:.6g}", l.spot_factor) : "",
         color(l.color)));
     if (l.shadow_ray) {
-      item.below.push_back(shadow_item(l));
+      item.add(shadow_item(l));
     }
   }
 
   ExplainItem shadow_item(const LightSample& l) const {
     if (l.blockers.empty()) {
-      return {"shadow   no occluder", {}};
+      return std::string("shadow   no occluder");
     }
-    ExplainItem item{"shadow   leaves " + color_text(l.visibility), {}};
+    ExplainItem item("shadow   leaves " + color_text(l.visibility));
     for (const Blocker& blocker : l.blockers) {
-      item.below.push_back({blocker_text(blocker), {}});
+      item.add(blocker_text(blocker));
     }
     return item;
   }
@@ -415,19 +405,17 @@ class Explanation {
 
   // For area lights.
   void add_light_samples(ExplainItem& item, const LightRecord& record) const {
-    item.below.push_back({fmt::format("mean over {} points of the light, {} on its bright side",
-                                      record.taken, record.samples.size()),
-                          {}});
+    item.add(fmt::format("mean over {} points of the light, {} on its bright side", record.taken,
+                         record.samples.size()));
     for (std::size_t i = 0; i < std::min(record.samples.size(), max_explained_samples); ++i) {
       const LightSample& l = record.samples[i];
-      ExplainItem point{
+      ExplainItem point(
           fmt::format("distance {:.6g}, N.L = {:.6g}, R.V = {:.6g}, attenuation {:.6g}: {}",
-                      l.distance, l.n_dot_l, l.r_dot_v, l.attenuation, color(l.contribution)),
-          {}};
+                      l.distance, l.n_dot_l, l.r_dot_v, l.attenuation, color(l.contribution)));
       for (const Blocker& blocker : l.blockers) {
-        point.below.push_back({"shadow of " + blocker_text(blocker), {}});
+        point.add("shadow of " + blocker_text(blocker));
       }
-      item.below.push_back(std::move(point));
+      item.add(std::move(point));
     }
   }
 

@@ -17,9 +17,9 @@ struct ExplainItem {
   std::string text;
   std::vector<ExplainItem> below;
 
-  ExplainItem& add(std::string line) {
-    return below.emplace_back(ExplainItem{std::move(line), {}});
-  }
+  ExplainItem(std::string line = {}) : text(std::move(line)) {}
+  ExplainItem& add(ExplainItem item) { return below.emplace_back(std::move(item)); }
+  ExplainItem& add(std::string line) { return add(ExplainItem(std::move(line))); }
 };
 
 /// The lines below the item. Recursive over the depth of the tree.

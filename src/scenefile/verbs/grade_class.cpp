@@ -4,7 +4,6 @@
 #include "scenefile/base/hash.h"
 #include "scenefile/base/text.h"
 #include "scenefile/compare/sheet.h"
-#include "scenefile/format/recognize.h"
 #include "scenefile/io/archive.h"
 #include "scenefile/io/descriptor.h"
 #include "scenefile/io/file.h"
@@ -12,16 +11,14 @@
 #include "scenefile/verbs/class_files.h"
 #include "scenefile/verbs/grade_files.h"
 #include "scenefile/verbs/grade_paths.h"
+#include "scenefile/verbs/grade_references.h"
 #include "scenefile/verbs/load_file.h"
-#include "scenefile/verbs/realtime_table.h"
 #include "scenefile/verbs/render_error.h"
-#include "scenefile/verbs/scene_json.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -31,13 +28,7 @@ namespace {
 
 // The default threshold: float and double implementations agree to 40 dB or better.
 constexpr double default_min_psnr_db = 40;
-// Pictures with a smaller mean square difference, in 1/255, show the same scene: this is a PSNR of
-// 32 dB, which another program reaches in spite of different edges.
-constexpr double same_scene_mean_square = 40;
-
 constexpr int passed_thumbnail_width = 128;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // A student, with the picture for each reference.
 struct Student {
@@ -78,73 +69,14 @@ void follow_causes(const PictureComparison& compared, PictureResult& result) {
   }
 }
 
-struct Reference {
-  std::string name;
-  DecodedPicture picture;
-  std::optional<LoadedScene> scene;
-  std::vector<DrawnWay> ways;  // how it was drawn, found with the first picture
-  std::vector<DrawnWay> ways_to_try = {};
-  std::uint64_t fingerprint = 0;                     // of the file
-  std::optional<RenderOptions> path = std::nullopt;  // of a path-traced picture
-  std::optional<PathTruth> truth = std::nullopt;     // drawn with the first picture
-};
-
-std::string path_below(const FoundFile& file) {
-  std::string path;
-  for (const std::string& folder : file.folders) {
-    path += folder + "/";
-  }
-  return path + file_name(file);
-}
-
-// To recognize a picture, some 30,000 of its values are enough: every step_of()th. Not a multiple
-// of 3, so that they come from all channels.
-std::size_t step_of(const Texture& picture) {
-  const std::size_t step = std::max<std::size_t>(1, picture.rgb.size() / 30000);
-  return step % 3 == 0 ? step + 1 : step;
-}
-
-// The mean square difference of two pictures of the same size, over those values; infinite if it
-// is larger than `limit`.
-double mean_square(const Texture& a, const Texture& b, double limit) {
-  const std::size_t step = step_of(a);
-  const std::size_t count = (a.rgb.size() + step - 1) / step;
-  const double enough = limit * static_cast<double>(count);
-  double sum = 0;
-  for (std::size_t i = 0; i < a.rgb.size(); i += step) {
-    const double d = static_cast<double>(a.rgb[i]) - b.rgb[i];
-    sum += d * d;
-    if (sum > enough) {
-      return infinity;
-    }
-  }
-  return sum / static_cast<double>(std::max<std::size_t>(1, count));
-}
-
-// The variance of these values.
-double variance(const Texture& picture) {
-  double sum = 0;
-  double squares = 0;
-  double count = 0;
-  for (std::size_t i = 0; i < picture.rgb.size(); i += step_of(picture)) {
-    const double value = picture.rgb[i];
-    sum += value;
-    squares += value * value;
-    ++count;
-  }
-  return count == 0 ? 0 : squares / count - (sum / count) * (sum / count);
-}
-
-void add_number(Hash& hash, std::uint64_t number) {
-  hash.add({reinterpret_cast<const char*>(&number), sizeof number});
-}
-
 }  // namespace
 
 struct ClassGrader::State {
  public:
-  State(const GradeRequest& request, std::function<void(const char*)> entering)
+  State(const GradeRequest& request, ClassReferences references,
+        std::function<void(const char*)> entering)
       : request_(request),
+        references_(std::move(references)),
         settings_(request.compare),
         by_causes_(request.compare.thresholds == Thresholds{}),
         entering_(std::move(entering)),
@@ -156,78 +88,12 @@ struct ClassGrader::State {
     }
   }
 
-  Result<void> load_references(const LoadShownScene& load_scene) {
-    if (request_.path) {
-      const Result<void> loaded = load_path_references(load_scene);
-      return loaded ? check_map() : loaded;
-    }
-    std::vector<Error> errors;
-    const auto found_below = [&](const std::string& folder, bool (*wanted)(std::string_view)) {
-      std::vector<FoundFile> found;
-      for (const std::string& path : files_below(folder, errors)) {
-        if (wanted(path)) {
-          found.push_back(found_file(folder, path));
-        }
-      }
-      return found;
-    };
-    const std::vector<FoundFile> scenes =
-        found_below(request_.scenes.empty() ? request_.references : request_.scenes, is_scene_name);
-    files_ = found_below(request_.references, is_picture_name);
-    if (!errors.empty()) {
-      return errors.front();
-    }
-    for (const FoundFile& file : files_) {
-      add_input("reference", file.path);
-    }
-    for (const FoundFile& scene : scenes) {
-      add_input("scene of a reference", scene.path);
-    }
-    drop_copies();
-    if (const Result<void> read = read_settings(); !read) {
-      return read.error();
-    }
-    std::vector<int> scene_of = match_scenes(scenes);
-    drop_textures(scenes, scene_of);
-    const std::vector<std::string> names = reference_names(files_);
-    for (std::size_t i = 0; i < files_.size(); ++i) {
-      enter("reading a picture");
-      const Result<std::string> bytes = read_file(files_[i].path, Limits{}.file_bytes);
-      if (!bytes) {
-        return bytes.error();
-      }
-      Result<DecodedPicture> picture = decode_picture_file(*bytes, files_[i].path, request_.layer);
-      if (!picture) {
-        return picture.error();
-      }
-      Reference reference{names[i], *std::move(picture), std::nullopt, {}};
-      if (scene_of[i] >= 0) {
-        reference.scene = load_scene(scenes[static_cast<std::size_t>(scene_of[i])].path);
-      }
-      Hash of_file;
-      of_file.add(*bytes);
-      reference.fingerprint = of_file.value();
-      fingerprint_.add(names[i]);
-      add_number(fingerprint_, reference.fingerprint);
-      if (reference.scene) {
-        fingerprint_.add(reference.scene->text);
-        add_number(fingerprint_, reference.scene->asset_fingerprint);
-      }
-      reference.ways_to_try = ways_of(files_[i]);
-      references_.push_back(std::move(reference));
-    }
-    if (references_.empty()) {
-      return Error{fmt::format("{} contains no pictures", quoted(request_.references, 400))};
-    }
-    return check_map();
-  }
-
   // Finds the pictures of all students.
   Result<void> find_pictures() {
-    ClassFiles found = find_class_files(request_.handed_in, files_);
+    ClassFiles found = find_class_files(request_.handed_in, references_.files);
     ignored_ = std::move(found.ignored);
     for (const std::string& path : found.paths) {
-      add_input("submitted file", path);
+      references_.inputs.push_back(input_file("submitted file", path));
     }
     std::size_t seen = 0;
     std::size_t matched = 0;
@@ -249,14 +115,14 @@ struct ClassGrader::State {
 
   std::size_t students() const { return students_.size(); }
   const std::string& student(std::size_t index) const { return students_[index].name; }
-  std::size_t pictures() const { return students_.size() * references_.size(); }
+  std::size_t pictures() const { return students_.size() * references_.all.size(); }
   std::string key_of(std::size_t index) {
     const Student& student = students_[index];
     Hash name;
     name.add(student.name);
     Hash pictures;
     const std::vector<Result<std::string>> archived = read_archived_of(index);
-    for (std::size_t i = 0; i < references_.size(); ++i) {
+    for (std::size_t i = 0; i < references_.all.size(); ++i) {
       // The names of files appear in results.
       const FoundFile* const file = picture_of(student, i);
       pictures.add(file == nullptr ? std::string() : path_in_class(*file));
@@ -273,12 +139,13 @@ struct ClassGrader::State {
       pictures.add(path);
     }
     return fmt::format("references={:x} student={:x} pictures={:x} thumbnails={}",
-                       fingerprint_.value(), name.value(), pictures.value(), thumbnail_width_);
+                       references_.fingerprint.value(), name.value(), pictures.value(),
+                       thumbnail_width_);
   }
 
   Result<StudentResult> run(std::size_t index, const std::function<bool(double)>& go_on) {
     const Student& student = students_[index];
-    const auto all = static_cast<double>(references_.size());
+    const auto all = static_cast<double>(references_.all.size());
     double done = 0;
     bool stopped = false;
     const auto tell = [&](double part) {
@@ -289,9 +156,9 @@ struct ClassGrader::State {
     result.name = student.name;
     result.unmatched = student.unmatched;
     std::vector<Result<std::string>> archived = read_archived_of(index);
-    for (std::size_t i = 0; i < references_.size(); ++i) {
+    for (std::size_t i = 0; i < references_.all.size(); ++i) {
       result.pictures.push_back(
-          grade(references_[i], picture_of(student, i), std::move(archived[i]), tell));
+          grade(references_.all[i], picture_of(student, i), std::move(archived[i]), tell));
       std::vector<std::string>& notes = result.pictures.back().notes;
       notes.insert(notes.end(), student.notes[i].begin(), student.notes[i].end());
       ++done;
@@ -302,7 +169,7 @@ struct ClassGrader::State {
     return result;
   }
 
-  const std::vector<UsedFile>& inputs() const { return inputs_; }
+  const std::vector<UsedFile>& inputs() const { return references_.inputs; }
   const std::vector<std::string>& notes() const { return notes_; }
 
   Gradebook empty_book() const {
@@ -316,57 +183,6 @@ struct ClassGrader::State {
   }
 
  private:
-  // References are configurations of the path tracer.
-  Result<void> load_path_references(const LoadShownScene& load_scene) {
-    Result<std::vector<PathReference>> found =
-        path_references(request_.references, request_.scenes, *request_.path);
-    if (!found) {
-      return found.error();
-    }
-    for (PathReference& one : *found) {
-      add_input("configuration", one.file.path);
-      add_input("scene of a reference", one.scene);
-      Reference& reference = references_.emplace_back();
-      reference.scene = load_scene(one.scene);
-      if (!reference.scene->usable()) {
-        return Error{fmt::format("{}: its scene {} cannot be used{}", escaped(one.file.path, 400),
-                                 quoted(one.scene, 400),
-                                 request_.scenes.empty()
-                                     ? "; it is relative to the working directory, or to --scenes"
-                                     : ""),
-                     ErrorKind::input};
-      }
-      reference.path = one.options;
-      fingerprint_.add(one.text);
-      fingerprint_.add(reference.scene->text);
-      add_number(fingerprint_, reference.scene->asset_fingerprint);
-      files_.push_back(std::move(one.file));
-    }
-    const std::vector<std::string> names = reference_names(files_);
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      references_[i].name = names[i];
-    }
-    return {};
-  }
-
-  // Whether all references of the map exist.
-  Result<void> check_map() const {
-    for (const NamePair& pair : request_.map) {
-      if (std::none_of(files_.begin(), files_.end(),
-                       [&](const FoundFile& file) { return is_named(file, pair.reference); })) {
-        return Error{fmt::format("the map assigns {} to the reference {}, but {} has no such file",
-                                 quoted(pair.handed_in, 400), quoted(pair.reference, 400),
-                                 quoted(request_.references, 400)),
-                     ErrorKind::input};
-      }
-    }
-    return {};
-  }
-
-  void add_input(std::string_view role, const std::string& path) {
-    inputs_.push_back({path, fmt::format("the {} {}", role, escaped(path))});
-  }
-
   void enter(const char* phase) const {
     if (entering_) {
       entering_(phase);
@@ -389,9 +205,9 @@ struct ClassGrader::State {
   // Matches the pictures of a student with the references. Returns how many match.
   std::size_t match(Student& student) const {
     const std::vector<FoundFile>& pictures = student.pictures;
-    PictureMatches matches = match_pictures(files_, pictures, request_.map);
-    student.notes.resize(files_.size());
-    const std::vector<std::string> names = reference_names(files_);
+    PictureMatches matches = match_pictures(references_.files, pictures, request_.map);
+    student.notes.resize(references_.files.size());
+    const std::vector<std::string> names = reference_names(references_.files);
     for (const UnusedPicture& unused : matches.unused) {
       const std::string path = path_below(pictures[unused.picture]);
       if (unused.reference < 0) {
@@ -435,11 +251,11 @@ struct ClassGrader::State {
     if (batch_.empty() || student < batch_start_ || student >= batch_start_ + batch_.size()) {
       batch_start_ = student;
       batch_.assign(of_class ? std::min(together, students_.size() - student) : 1,
-                    std::vector<Result<std::string>>(references_.size(), Error{}));
+                    std::vector<Result<std::string>>(references_.all.size(), Error{}));
       std::vector<FoundFile> files;
       std::vector<Result<std::string>*> places;
       for (std::size_t s = 0; s < batch_.size(); ++s) {
-        for (std::size_t i = 0; i < references_.size(); ++i) {
+        for (std::size_t i = 0; i < references_.all.size(); ++i) {
           if (const FoundFile* const file = picture_of(students_[student + s], i);
               file != nullptr && !file->entries.empty()) {
             files.push_back(*file);
@@ -480,127 +296,12 @@ struct ClassGrader::State {
     const auto with_one =
         std::find_if(students_.begin(), students_.end(),
                      [](const Student& student) { return !student.unmatched.empty(); });
-    const std::string name = escaped(references_.front().name);
+    const std::string name = escaped(references_.all.front().name);
     return fmt::format(
         "no picture in {} has the name of a reference in {}: looked for {}.png, {}_gen.png, "
         "FOLDER_{}.png and so on, in all folders; found {}, for example. --map assigns other names",
         quoted(request_.handed_in, 400), quoted(request_.references, 400), name, name, name,
         quoted(with_one->unmatched.front(), 400));
-  }
-
-  // The settings of references of the assignment Realtime, if a table gives them.
-  Result<void> read_settings() {
-    const std::string path = settings_table(request_.references);
-    if (path.empty()) {
-      return {};
-    }
-    add_input("table", path);
-    const Result<std::string> text = read_file(path, Limits{}.file_bytes);
-    if (!text) {
-      return text.error();
-    }
-    std::string wrong;
-    table_ = read_realtime_table(*text, wrong);
-    if (!wrong.empty()) {
-      return Error{
-          fmt::format("{} in {}: {}", realtime_table_name, quoted(request_.references, 400), wrong),
-          ErrorKind::input};
-    }
-    return {};
-  }
-
-  // Folders of scenes may contain their textures: pictures in such a folder are references only if
-  // a scene has their name, or if nothing else is a reference.
-  void drop_textures(const std::vector<FoundFile>& scenes, std::vector<int>& scene_of) {
-    const auto is_texture = [&](std::size_t i) {
-      return !scenes.empty() && scene_of[i] < 0 && is_in_texture_folder(files_[i]) &&
-             row_of(table_, files_[i]) == nullptr;
-    };
-    std::vector<FoundFile> files;
-    std::vector<int> of_files;
-    for (std::size_t i = 0; i < files_.size(); ++i) {
-      if (!is_texture(i)) {
-        files.push_back(files_[i]);
-        of_files.push_back(scene_of[i]);
-      }
-    }
-    if (!files.empty()) {
-      files_ = std::move(files);
-      scene_of = std::move(of_files);
-    }
-  }
-
-  // The same reference in several formats counts once, in the first of picture_formats().
-  void drop_copies() {
-    const std::vector<PictureFormat> formats = picture_formats();
-    const auto rank = [&](const FoundFile& file) {
-      return std::find_if(formats.begin(), formats.end(),
-                          [&](const PictureFormat& format) {
-                            const std::string ending =
-                                lower_case(file.path.substr(file.path.rfind('.')));
-                            return format.extensions.find(ending) != std::string_view::npos;
-                          }) -
-             formats.begin();
-    };
-    std::vector<FoundFile> files;
-    for (FoundFile& file : files_) {
-      const auto same = std::find_if(files.begin(), files.end(), [&](const FoundFile& other) {
-        return other.stem == file.stem && other.folders == file.folders;
-      });
-      if (same == files.end()) {
-        files.push_back(std::move(file));
-      } else if (rank(file) < rank(*same)) {
-        *same = std::move(file);
-      }
-    }
-    files_ = std::move(files);
-  }
-
-  // The ways in which a reference may have been drawn; the table's settings take precedence.
-  std::vector<DrawnWay> ways_of(const FoundFile& file) const {
-    const RealtimeRow* const row = row_of(table_, file);
-    if (row == nullptr || !std::any_of(settings_.ways.begin(), settings_.ways.end(),
-                                       [](const DrawnWay& way) { return way.realtime; })) {
-      return folder_first(file.path, settings_.ways);
-    }
-    return {realtime_way(row->panel, {})};
-  }
-
-  // A scene may belong to several references: intersect and illuminate.
-  std::vector<int> match_scenes(const std::vector<FoundFile>& scenes) const {
-    std::vector<int> result;
-    for (const FoundFile& file : files_) {
-      const RealtimeRow* const row = row_of(table_, file);
-      const int named = row == nullptr ? -1 : file_named(scenes, row->scene);
-      const int matched = named >= 0 ? named : best_named(file, scenes);
-      result.push_back(matched >= 0 ? matched : scene_of_variant(file, scenes));
-    }
-    return result;
-  }
-
-  // A reference of another scene that the picture shows instead, nearly without a difference; null:
-  // none. A reference that is nearly of one color is not recognized: an empty picture would be it.
-  const Reference* shown_instead(const Reference& reference, const Texture& picture) const {
-    const auto off = [&](const Reference& r, double limit) {
-      const Texture& other = r.picture.texture;
-      return other.width == picture.width && other.height == picture.height
-                 ? mean_square(other, picture, limit)
-                 : infinity;
-    };
-    const double here = off(reference, infinity);
-    const Reference* best = nullptr;
-    double least = same_scene_mean_square;
-    for (const Reference& r : references_) {
-      if (r.scene && reference.scene && r.scene->text == reference.scene->text) {
-        continue;
-      }
-      if (const double there = off(r, std::min(least, here / 20));
-          there < least && 20 * there < here && 20 * there < variance(r.picture.texture)) {
-        best = &r;
-        least = there;
-      }
-    }
-    return best;
   }
 
   // The text without the folder of the class, which is not for the reports of students.
@@ -613,7 +314,8 @@ struct ClassGrader::State {
   }
 
   // `file`: null if there is no picture. `archived`: its bytes, if it is in an archive.
-  PictureResult grade(Reference& reference, const FoundFile* file, Result<std::string> archived,
+  PictureResult grade(ClassReference& reference, const FoundFile* file,
+                      Result<std::string> archived,
                       const std::function<bool(double)>& go_on) const {
     PictureResult result;
     result.name = reference.name;
@@ -656,7 +358,7 @@ struct ClassGrader::State {
     DecodedPicture right = reference.picture;
     round_alike(right, *picture);
     const Texture& shown = picture->texture;
-    if (const Reference* other = shown_instead(reference, shown)) {
+    if (const ClassReference* other = shown_instead(references_, reference, shown)) {
       result.verdict = Verdict::differs;
       result.measures = measure(right.texture, shown, settings_.pixel_threshold);
       result.reasons = {fmt::format("it is the picture of {}", other->name)};
@@ -703,7 +405,7 @@ struct ClassGrader::State {
   }
 
   // Without a result if `go_on` returns false.
-  void grade_path(Reference& reference, const DecodedPicture& picture, PictureResult& result,
+  void grade_path(ClassReference& reference, const DecodedPicture& picture, PictureResult& result,
                   const std::function<bool(double)>& go_on) const {
     const RenderOptions& options = *reference.path;
     const Texture& shown = picture.texture;
@@ -756,17 +458,13 @@ struct ClassGrader::State {
   }
 
   const GradeRequest& request_;
+  ClassReferences references_;
   CompareSettings settings_;
   bool by_causes_;  // the kind of difference decides, not only a threshold
   std::function<void(const char*)> entering_;
-  std::vector<FoundFile> files_;  // the references
-  std::vector<RealtimeRow> table_;
-  std::vector<Reference> references_;
-  Hash fingerprint_;  // of the references
   std::vector<Student> students_;
   std::vector<IgnoredFile> ignored_;  // of unknown students
   std::vector<std::string> notes_;
-  std::vector<UsedFile> inputs_;
   std::string class_archive_;  // its path; empty: the class is a folder
   // The bytes of pictures in archives, of some students and of each reference.
   std::size_t batch_start_ = 0;
@@ -790,10 +488,11 @@ Result<ClassGrader> ClassGrader::open(const GradeRequest& request, const LoadSho
       return Error{fmt::format("{} is not a readable folder", quoted(folder, 400))};
     }
   }
-  auto state = std::make_unique<State>(request, entering);
-  if (const Result<void> loaded = state->load_references(load_scene); !loaded) {
-    return loaded.error();
+  Result<ClassReferences> references = load_references(request, load_scene, entering);
+  if (!references) {
+    return references.error();
   }
+  auto state = std::make_unique<State>(request, *std::move(references), entering);
   if (const Result<void> found = state->find_pictures(); !found) {
     return found.error();
   }
@@ -852,42 +551,6 @@ Result<Gradebook> grade_class(const GradeRequest& request, const LoadShownScene&
   }
   find_identical_files(book);
   return book;
-}
-
-std::string gradebook_json(const Gradebook& book) {
-  Json json;
-  begin_document(json, "grade");
-  json.add("passed", book.all_passed());
-  json.add_objects("students", book.students, [&](const StudentResult& student) {
-    json.add({{"name", student.name}, {"passed", student.passed()}});
-    json.add_objects("pictures", student.pictures, [&](const PictureResult& picture) {
-      json.add({{"name", picture.name}, {"verdict", name_of(picture.verdict)}});
-      if (picture.path_traced) {
-        json.add("path_traced", true);
-      } else if (picture.verdict == Verdict::passed || picture.verdict == Verdict::differs) {
-        add_measures(json, picture.measures);
-      }
-      json.add("reasons", picture.reasons);
-      add_claims(json, "causes", picture.causes);
-      add_claims(json, "rivals", picture.rivals);
-      add_claims(json, "partial", picture.partial);
-      std::vector<std::string> notes = picture.notes;
-      if (!picture.identical.empty()) {
-        notes.push_back("identical files: " + picture.identical);
-      }
-      json.add("notes", notes);
-    });
-    json.add("unmatched", student.unmatched);
-  });
-  json.add_objects("ignored", book.ignored, [&](const IgnoredFile& file) {
-    json.add("path", file.path);
-    if (!file.student.empty()) {
-      json.add("student", file.student);
-    }
-    json.add("reason", file.reason);
-  });
-  json.end_object();
-  return json.text();
 }
 
 }  // namespace scenefile

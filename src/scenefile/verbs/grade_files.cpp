@@ -229,6 +229,14 @@ std::string file_name(const FoundFile& file) {
   return path.substr(path.rfind('/') + 1);
 }
 
+std::string path_below(const FoundFile& file) {
+  std::string path;
+  for (const std::string& folder : file.folders) {
+    path += folder + "/";
+  }
+  return path + file_name(file);
+}
+
 namespace {
 
 std::string trimmed(std::string_view text) {

@@ -21,6 +21,8 @@ struct FoundFile {
 
 /// The last part of its path.
 std::string file_name(const FoundFile& file);
+/// Its folders and its name.
+std::string path_below(const FoundFile& file);
 
 /// The extension of a name in lower case, with the dot; empty if there is none.
 std::string ending_of(std::string_view name);

@@ -1,4 +1,4 @@
-#include "app/carry_files.h"
+#include "scenefile/verbs/carry_files.h"
 
 #include "scenefile/base/text.h"
 #include "scenefile/verbs/codes.h"
@@ -9,7 +9,7 @@
 #include <system_error>
 #include <unordered_map>
 
-namespace scenefile::app {
+namespace scenefile {
 
 namespace {
 
@@ -26,11 +26,12 @@ bool has_folder(const std::string& output) {
 // Decides only once for each name.
 class Carrier {
  public:
-  Carrier(LoadedScene& scene, const std::string& output, const Options& options)
+  Carrier(LoadedScene& scene, const std::string& output, const AssetAccess& access,
+          const Limits& limits)
       : scene_(scene),
         folder_(folder_path(output)),
-        here_(asset_roots_options(scene.path, options)),
-        there_(asset_roots_options(output, options)) {}
+        here_(asset_roots_options(scene.path, access, limits)),
+        there_(asset_roots_options(output, access, limits)) {}
 
   // The name for the new folder.
   const std::string& carry(const std::string& name, Location location) {
@@ -82,11 +83,12 @@ class Carrier {
 
 }  // namespace
 
-void carry_files(LoadedScene& scene, const std::string& output, const Options& options) {
+void carry_files(LoadedScene& scene, const std::string& output, const AssetAccess& access,
+                 const Limits& limits) {
   if (!has_folder(output) || folder_path(scene.path) == folder_path(output)) {
     return;
   }
-  Carrier carrier(scene, output, options);
+  Carrier carrier(scene, output, access, limits);
   for (Node& node : scene.written.nodes) {
     for (Primitive& primitive : node.primitives) {
       if (primitive.shape == Shape::mesh) {
@@ -101,4 +103,4 @@ void carry_files(LoadedScene& scene, const std::string& output, const Options& o
   }
 }
 
-}  // namespace scenefile::app
+}  // namespace scenefile

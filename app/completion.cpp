@@ -3,8 +3,6 @@
 #include "app/command.h"
 #include "app/help.h"
 #include "app/option_table.h"
-#include "scenefile/grade/cause_help.h"
-#include "scenefile/verbs/codes.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -31,14 +29,10 @@ std::string_view brief(std::string_view help) {
   return help.ends_with('.') ? help.substr(0, help.size() - 1) : help;
 }
 
-std::vector<std::string_view> help_topics() {
-  std::vector<std::string_view> topics(command_names().begin(), command_names().end());
-  topics.insert(topics.end(), {"codes", "causes", "limits", "vocabulary"});
-  topics.insert(topics.end(), code_names().begin(), code_names().end());
-  for (std::size_t i = 0; i < cause_count; ++i) {
-    topics.push_back(name_of(static_cast<Cause>(i)));
-  }
-  return topics;
+// The words with blanks between them.
+template <typename Words>
+std::string in_line(const Words& words) {
+  return fmt::format("{}", fmt::join(words, " "));
 }
 
 bool is_list(const OptionRow& row) {
@@ -61,7 +55,7 @@ std::string bash_case(const Command& command) {
     if (!words_of(*row).empty()) {
       values += fmt::format("        {}) {} {}; return ;;\n", pattern,
                             is_list(*row) ? "_scenefile_list" : "_scenefile_words",
-                            shell_quoted(fmt::format("{}", fmt::join(words_of(*row), " "))));
+                            shell_quoted(in_line(words_of(*row))));
     } else if (is_folder_name(*row)) {
       values += fmt::format(
           "        {}) compopt -o filenames; COMPREPLY=($(compgen -d -- \"$cur\")); return ;;\n",
@@ -111,7 +105,7 @@ _scenefile() {{
 complete -o bashdefault -o default -F _scenefile scenefile
 )",
       shell_quoted(fmt::format("{} --help --version", fmt::join(command_names(), " "))), cases,
-      shell_quoted(fmt::format("{}", fmt::join(help_topics(), " "))));
+      shell_quoted(in_line(help_topics())));
 }
 
 // Brackets, colons and backslashes are special in specifications for _arguments.
@@ -200,7 +194,7 @@ std::string fish() {
         text += fmt::format(" -s {}", row->letter.substr(1));
       }
       if (!words_of(*row).empty()) {
-        const std::string words = fmt::format("{}", fmt::join(words_of(*row), " "));
+        const std::string words = in_line(words_of(*row));
         text += is_list(*row)
                     ? fmt::format(" -x -a {}",
                                   shell_quoted("(__fish_complete_list , 'string split \" \" \"" +
@@ -216,7 +210,7 @@ std::string fish() {
   }
   return text +
          fmt::format("complete -c scenefile -n '__fish_seen_subcommand_from help' -f -a {}\n",
-                     shell_quoted(fmt::format("{}", fmt::join(help_topics(), " "))));
+                     shell_quoted(in_line(help_topics())));
 }
 
 }  // namespace

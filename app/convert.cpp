@@ -41,8 +41,8 @@ SceneFormat scene_format(ConvertTo format) {
 // A model becomes several files, so the output must be a scene.
 ExitCode check_model_target(const ConvertReport& report) {
   if (report.format != ConvertTo::xml && report.format != ConvertTo::json) {
-    say_error("a model becomes a scene, .xml or .json; convert that into another format");
-    return ExitCode::usage;
+    return fail(ExitCode::usage,
+                "a model becomes a scene, .xml or .json; convert that into another format");
   }
   return ExitCode::fine;
 }
@@ -50,8 +50,8 @@ ExitCode check_model_target(const ConvertReport& report) {
 // Several files need a folder.
 ExitCode check_several(const ConvertReport& report) {
   if (is_standard_output(report.output)) {
-    say_error("the output consists of several files; give a file name instead of -");
-    return ExitCode::usage;
+    return fail(ExitCode::usage,
+                "the output consists of several files; give a file name instead of -");
   }
   return ExitCode::fine;
 }
@@ -169,8 +169,7 @@ ExitCode run_convert(const Options& options, Context& context) {
   ConvertReport report{.output = options.arguments[1], .format = *options.to};
   const std::array output{named_file("output", report.output)};
   if (const Outcome refused = claim_outputs(output, context); refused.status != ExitCode::fine) {
-    say_error(refused.error);
-    return refused.status;
+    return fail(refused);
   }
   std::vector<ImportedFile> files;
   const bool model = is_model(options.arguments[0]);

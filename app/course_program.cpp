@@ -192,8 +192,8 @@ ExitCode read_course_arguments(ConfigKind program, std::span<const char* const> 
     return answer(std::string(help));
   }
   if (words.size() != 1) {
-    say_error(fmt::format("expected one argument, a configuration: {} CONFIG.ini", program_name));
-    return ExitCode::usage;
+    return fail(ExitCode::usage,
+                fmt::format("expected one argument, a configuration: {} CONFIG.ini", program_name));
   }
   const ExitCode status = read_quietly(std::string(path), context, configured);
   const std::string name = escaped(path, 4096);
@@ -208,11 +208,11 @@ ExitCode read_course_arguments(ConfigKind program, std::span<const char* const> 
   }
   if (status == ExitCode::fine && configured.kind != program) {
     say(findings_text(configured.file, Verbosity::warnings, wants_color(Stream::chatter)));
-    say_error(
+    return fail(
+        ExitCode::findings,
         fmt::format("{} is a configuration of the {}, not of the {}: use {}, or scenefile "
                     "render",
                     name, info_of(configured.kind).tracer, tracer, info_of(configured.kind).name));
-    return ExitCode::findings;
   }
   return read_and_print(status, configured);
 }

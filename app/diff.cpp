@@ -189,8 +189,7 @@ void report_scene_input(const PictureInput& input, LoadedPicture& loaded,
 // The first one is the reference.
 ExitCode diff_images(const Options& options, std::vector<PictureInput> inputs, Context& context) {
   if (const Outcome refused = check_named_outputs(options); refused.status != ExitCode::fine) {
-    say_error(refused.error);
-    return refused.status;
+    return fail(refused);
   }
   std::vector<LoadedPicture> pictures;
   for (const PictureInput& input : inputs) {
@@ -222,11 +221,11 @@ ExitCode diff_images(const Options& options, std::vector<PictureInput> inputs, C
     }
   }
   if (pictures.size() < 2 || options.render.mode == Mode::path) {
-    say_error(pictures.size() < 2
-                  ? "diff needs two pictures, unless the scene is path-traced: "
-                    "scenefile diff A B, or scenefile diff B --scene SCENE --mode path"
-                  : "--mode path needs the scene: --scene SCENE");
-    return ExitCode::usage;
+    return fail(ExitCode::usage,
+                pictures.size() < 2
+                    ? "diff needs two pictures, unless the scene is path-traced: "
+                      "scenefile diff A B, or scenefile diff B --scene SCENE --mode path"
+                    : "--mode path needs the scene: --scene SCENE");
   }
   round_alike(a.picture, b.picture);
   const LoadedScene* const shown = scene ? &*scene : nullptr;
@@ -252,8 +251,7 @@ ExitCode run_diff(const Options& options, Context& context) {
   }
   const bool pictures = std::any_of(inputs.begin(), inputs.end(), is_picture);
   if (!pictures && options.arguments.size() < 2) {
-    say_error("diff needs 2 names: scenefile diff A B");
-    return ExitCode::usage;
+    return fail(ExitCode::usage, "diff needs 2 names: scenefile diff A B");
   }
   if (pictures) {
     return diff_images(options, std::move(inputs), context);

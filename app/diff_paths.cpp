@@ -115,11 +115,10 @@ ExitCode diff_paths(Options options, std::span<const LoadedPicture> pictures,
   const Texture& mine = pictures.back().picture.texture;
   const Texture& first = pictures.front().picture.texture;
   if (first.width != mine.width || first.height != mine.height) {
-    say_error(
-        fmt::format("the pictures have {}x{} and {}x{} pixels; path-traced pictures are "
-                    "compared only at the same size",
-                    first.width, first.height, mine.width, mine.height));
-    return ExitCode::findings;
+    return fail(ExitCode::findings,
+                fmt::format("the pictures have {}x{} and {}x{} pixels; path-traced pictures are "
+                            "compared only at the same size",
+                            first.width, first.height, mine.width, mine.height));
   }
   set_path_mode(options);
   options.render.width = mine.width;
@@ -127,8 +126,7 @@ ExitCode diff_paths(Options options, std::span<const LoadedPicture> pictures,
   PathTruth truth;
   if (const Outcome outcome = draw_truth_of(scene, options, context, truth);
       !outcome.error.empty()) {
-    say_error(outcome.error);
-    return outcome.status;
+    return fail(outcome);
   }
   context.phase = "comparing the pictures";
   Judged judged{judge_path(truth, pictures.back().picture), std::nullopt, {}};

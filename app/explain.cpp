@@ -30,8 +30,7 @@ ExitCode load_pictures(Options& options, LoadedPicture& mine, LoadedPicture& ref
   }
   for (const LoadedPicture* picture : {&mine, &reference}) {
     if (!picture->error.empty()) {
-      say_error(picture->error);
-      return picture->status;
+      return fail(picture->status, picture->error);
     }
   }
   const Texture& picture = mine.picture.texture;
@@ -39,17 +38,16 @@ ExitCode load_pictures(Options& options, LoadedPicture& mine, LoadedPicture& ref
     options.render.width = picture.width;
     options.render.height = picture.height;
   } else if (options.render.width != picture.width || options.render.height != picture.height) {
-    say_error(
-        fmt::format("{} is {}x{}, and --size says {}x{}; for a part of a picture or a "
-                    "screenshot, --reference PICTURE finds the place",
-                    quoted(options.mine, 400), picture.width, picture.height, options.render.width,
-                    options.render.height));
-    return ExitCode::usage;
+    return fail(ExitCode::usage,
+                fmt::format("{} is {}x{}, and --size says {}x{}; for a part of a picture or a "
+                            "screenshot, --reference PICTURE finds the place",
+                            quoted(options.mine, 400), picture.width, picture.height,
+                            options.render.width, options.render.height));
   }
   if (options.pixel->x >= picture.width || options.pixel->y >= picture.height) {
-    say_error(fmt::format("--pixel: {},{} is not in the picture: 0,0 to {},{}", options.pixel->x,
-                          options.pixel->y, picture.width - 1, picture.height - 1));
-    return ExitCode::usage;
+    return fail(ExitCode::usage,
+                fmt::format("--pixel: {},{} is not in the picture: 0,0 to {},{}", options.pixel->x,
+                            options.pixel->y, picture.width - 1, picture.height - 1));
   }
   return ExitCode::fine;
 }
@@ -130,8 +128,7 @@ ExitCode run_explain(const Options& given, Context& context) {
       return worse(outcome.status,
                    answer(explain_json(scene, options.render, nullptr, outcome.error, realtime)));
     }
-    say_error(outcome.error);
-    return outcome.status;
+    return fail(outcome);
   };
   if (const ExitCode status = status_of(scene); status != ExitCode::fine) {
     return options.json ? failed({status, "the scene cannot be used"}) : status;

@@ -415,8 +415,7 @@ ExitCode run_frames(const Options& given, Context& context) {
   Options options = given;
   const Clock::time_point start = Clock::now();
   if (!options.video.empty() && !has_program("ffmpeg")) {
-    say_error("--video: ffmpeg is not installed, or not in PATH");
-    return ExitCode::environment;
+    return fail(ExitCode::environment, "--video: ffmpeg is not installed, or not in PATH");
   }
   std::vector<std::string> targets;
   for (const std::string* const pattern : {&options.output, &options.write_scenes}) {
@@ -429,8 +428,7 @@ ExitCode run_frames(const Options& given, Context& context) {
   }
   for (const std::string& target : targets) {
     if (const Result<void> writable = check_writable(target); !writable) {
-      say_error(writable.error().text);
-      return ExitCode::environment;
+      return fail(ExitCode::environment, writable.error().text);
     }
   }
   LoadedScene scene = load_scene(options.arguments.front(), options, depth_for(options.render),

@@ -225,13 +225,11 @@ ExitCode answer_share(const Options& options, std::size_t found, std::size_t gra
 ExitCode run_grade(const Options& options, Context& context) {
   Outcome refused = check_named_outputs(options);
   if (refused.status != ExitCode::fine) {
-    say_error(refused.error);
-    return refused.status;
+    return fail(refused);
   }
   Result<std::vector<NamePair>> map = load_map(options);
   if (!map) {
-    say_error(map.error().text);
-    return exit_code(map.error().kind);
+    return fail(map.error());
   }
   const GradeRequest request{
       .handed_in = options.arguments.front(),
@@ -255,8 +253,7 @@ ExitCode run_grade(const Options& options, Context& context) {
       ClassGrader::open(request, load_scene, [&](const char* phase) { context.phase = phase; });
   if (!grader) {
     bar.reset();
-    say_error(grader.error().text);
-    return exit_code(grader.error().kind);
+    return fail(grader.error());
   }
   if (refused.status == ExitCode::fine) {
     refused = claim_inputs(grader->inputs(), context);
@@ -312,8 +309,7 @@ ExitCode run_grade(const Options& options, Context& context) {
   }
   bar.reset();
   if (outcome.status != ExitCode::fine) {
-    say_error(outcome.error);
-    return outcome.status;
+    return fail(outcome);
   }
   if (options.part) {
     return answer_share(options, found, share.end - share.first - found);

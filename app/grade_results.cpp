@@ -251,9 +251,8 @@ Outcome claim_pages(const Options& options, std::span<const std::string> student
 ExitCode write_results(const Options& options, Gradebook book, std::string_view holder,
                        Context& context) {
   if (!options.gradescope.empty() && book.students.size() != 1) {
-    say_error(fmt::format("--gradescope is for one student, and {} has {}", holder,
-                          book.students.size()));
-    return ExitCode::usage;
+    return fail(ExitCode::usage, fmt::format("--gradescope is for one student, and {} has {}",
+                                             holder, book.students.size()));
   }
   const ExitCode status = book.all_passed() ? ExitCode::fine : ExitCode::findings;
   // Before the files, so that running out of memory here leaves none.
@@ -262,8 +261,7 @@ ExitCode write_results(const Options& options, Gradebook book, std::string_view 
                                            : gradebook_text(book);
   context.phase = "writing the report";
   if (const Result<void> written = write_all(options, book); !written) {
-    say_error(written.error().text);
-    return exit_code(written.error().kind);
+    return fail(written.error());
   }
   // A table on standard output stays one that programs can read.
   const bool taken = std::any_of(options.given.begin(), options.given.end(), [](const auto& given) {

@@ -60,14 +60,8 @@ std::string example_text(std::string_view lines, std::size_t width) {
 }
 
 std::string no_such_topic(const std::string& topic) {
-  std::vector<std::string_view> known(command_names().begin(), command_names().end());
-  known.insert(known.end(), code_names().begin(), code_names().end());
+  std::vector<std::string_view> known = help_topics();
   known.insert(known.end(), code_families().begin(), code_families().end());
-  for (std::size_t i = 0; i < cause_count; ++i) {
-    known.push_back(name_of(static_cast<Cause>(i)));
-  }
-  known.push_back("limits");
-  known.push_back("vocabulary");
   const auto longer = std::find_if(known.begin(), known.end(), [&](std::string_view name) {
     return topic.size() >= 3 && name.starts_with(topic);
   });
@@ -100,9 +94,8 @@ std::string vocabulary_text(std::size_t width) {
 ExitCode run_help_codes(const std::string& given, const Options& options) {
   const std::string family = given.substr(0, given.find('.'));
   if (!is_family(family)) {
-    say_error(fmt::format("there are no codes {}.*{}", escaped(family),
-                          did_you_mean(family, code_families())));
-    return ExitCode::usage;
+    return fail(ExitCode::usage, fmt::format("there are no codes {}.*{}", escaped(family),
+                                             did_you_mean(family, code_families())));
   }
   return answer(options.json ? help_json() : codes_text(help_width(), family));
 }
@@ -125,6 +118,16 @@ std::span<const std::string_view> command_names() {
     return result;
   }();
   return names;
+}
+
+std::vector<std::string_view> help_topics() {
+  std::vector<std::string_view> topics(command_names().begin(), command_names().end());
+  topics.insert(topics.end(), {"codes", "causes", "limits", "vocabulary"});
+  topics.insert(topics.end(), code_names().begin(), code_names().end());
+  for (std::size_t i = 0; i < cause_count; ++i) {
+    topics.push_back(name_of(static_cast<Cause>(i)));
+  }
+  return topics;
 }
 
 std::string overview_text() {
@@ -240,9 +243,8 @@ ExitCode run_help(const Options& options, Context& /*context*/) {
     if (topic == "codes") {
       return run_help_codes(options.arguments[1], options);
     }
-    say_error(fmt::format("help explains one topic; unexpected {}",
-                          scenefile::quoted(options.arguments[1])));
-    return ExitCode::usage;
+    return fail(ExitCode::usage, fmt::format("help explains one topic; unexpected {}",
+                                             scenefile::quoted(options.arguments[1])));
   }
   if (const Command* const command = find_command(topic); command != nullptr) {
     if (options.man) {
@@ -272,8 +274,7 @@ ExitCode run_help(const Options& options, Context& /*context*/) {
   if (topic == "vocabulary") {
     return answer(options.json ? vocabulary_json() : vocabulary_text(help_width()));
   }
-  say_error(no_such_topic(topic));
-  return ExitCode::usage;
+  return fail(ExitCode::usage, no_such_topic(topic));
 }
 
 }  // namespace scenefile::app

@@ -3,7 +3,10 @@
 #include "app/command.h"
 #include "scenefile/base/diagnostics.h"
 
+#include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace scenefile::app {
 
@@ -19,5 +22,7 @@ std::string code_text(const Code& code);
 const Command* find_command(std::string_view name);
 /// The names of all commands.
 std::span<const std::string_view> command_names();
+/// Commands, lists, codes and causes: what help explains.
+std::vector<std::string_view> help_topics();
 
 }  // namespace scenefile::app

@@ -119,4 +119,12 @@ Outcome outcome_of(const Error& error, const Context& context) {
   return {exit_code(error.kind), error.text};
 }
 
+ExitCode fail(const Outcome& outcome) {
+  return fail(outcome.status, outcome.error);
+}
+
+ExitCode fail(const Error& error) {
+  return fail(exit_code(error.kind), error.text);
+}
+
 }  // namespace scenefile::app

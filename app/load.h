@@ -43,5 +43,8 @@ Outcome outcome_of(const Result<void>& result);
 Outcome outcome_of(RenderStatus status, const Context& context);
 /// The same for errors from the tracer.
 Outcome outcome_of(const Error& error, const Context& context);
+/// Says why a command ends (output.h).
+ExitCode fail(const Outcome& outcome);
+ExitCode fail(const Error& error);
 
 }  // namespace scenefile::app

@@ -226,8 +226,7 @@ ExitCode run_command(const Command& command, std::span<const char* const> words,
     return answer(command_text(command));
   }
   if (const Result<void> added = add_named_files(command, options, context.files); !added) {
-    say_error(added.error().text);
-    return ExitCode::usage;
+    return fail(ExitCode::usage, added.error().text);
   }
   bound(options, context);
   if (configured.scene.empty()) {

@@ -6,10 +6,9 @@
 namespace scenefile::app {
 
 ExitCode run_view(const Options& /*options*/, Context& /*context*/) {
-  say_error(
-      "view: this program was built without a window (SCENEFILE_VIEWER); "
-      "\"scenefile render\" draws to a file");
-  return ExitCode::environment;
+  return fail(ExitCode::environment,
+              "view: this program was built without a window (SCENEFILE_VIEWER); "
+              "\"scenefile render\" draws to a file");
 }
 
 }  // namespace scenefile::app

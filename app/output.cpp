@@ -69,6 +69,11 @@ void say_error(std::string_view text) {
   keep_error(text);
 }
 
+ExitCode fail(ExitCode status, std::string_view text) {
+  say_error(text);
+  return status;
+}
+
 void keep_error(std::string_view text) {
   try {
     if (said_errors.size() + text.size() < max_errors_size) {

@@ -31,6 +31,8 @@ void say(std::string_view text);
 
 /// Prints "scenefile: " and the text on one line, and keeps the text.
 void say_error(std::string_view text);
+/// The same, for a command that ends with this status.
+ExitCode fail(ExitCode status, std::string_view text);
 /// Keeps the text of an error that is printed in another way, or not at all.
 void keep_error(std::string_view text);
 /// Forgets what an earlier main() in this process wrote and kept.

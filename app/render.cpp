@@ -274,8 +274,7 @@ ExitCode run_render(const Options& given, Context& context) {
     if (options.json) {
       return worse(refused.status, answer(render_json(unread, report)));
     }
-    say_error(report.error);
-    return refused.status;
+    return fail(refused.status, report.error);
   }
   LoadedScene scene = load_for_tracing(options, context);
   report.options = options.render;

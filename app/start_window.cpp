@@ -32,11 +32,12 @@ ExitCode run_view(const Options& /*options*/, Context& context) {
     ::execv(path.c_str(), context.command_line);
   }
   const std::error_code error(errno, std::generic_category());
-  say_error(fmt::format(
-      "view: {}, the program with the window, cannot be started: {}{}",
-      path.empty() ? window_program : path.c_str(), error.message(),
-      error == std::errc::no_such_file_or_directory ? "; in a clone, 'make build' builds it" : ""));
-  return ExitCode::environment;
+  return fail(ExitCode::environment,
+              fmt::format("view: {}, the program with the window, cannot be started: {}{}",
+                          path.empty() ? window_program : path.c_str(), error.message(),
+                          error == std::errc::no_such_file_or_directory
+                              ? "; in a clone, 'make build' builds it"
+                              : ""));
 }
 
 }  // namespace scenefile::app

@@ -197,34 +197,28 @@ void say_failure(const viewer::WindowResult& result) {
 
 ExitCode run_view(const Options& options, Context& context) {
   if (const std::string text = missing(options); !text.empty()) {
-    say_error(text);
-    return ExitCode::environment;
+    return fail(ExitCode::environment, text);
   }
   Result<viewer::Script> script = script_of(options);
   if (!script) {
-    say_error(script.error().text);
-    return ExitCode::environment;
+    return fail(ExitCode::environment, script.error().text);
   }
   if (!script->wrong.empty()) {
-    say_error(fmt::format("{}: {}", options.script, script->wrong));
-    return ExitCode::usage;
+    return fail(ExitCode::usage, fmt::format("{}: {}", options.script, script->wrong));
   }
   if (const Outcome refused = claim_script_outputs(options, *script, context);
       refused.status != ExitCode::fine) {
-    say_error(refused.error);
-    return refused.status;
+    return fail(refused);
   }
   const bool unattended = !script->steps.empty();
   for (const std::string& path : pictures_of(options)) {  // later, only the window would say so
     if (!stamp_of(path).exists) {
-      say_error(path + ": there is no such file");
-      return ExitCode::environment;
+      return fail(ExitCode::environment, path + ": there is no such file");
     }
     const Result<DecodedPicture> picture =
         unattended ? load_picture_file(path, options.layer, options.load.limits) : DecodedPicture();
     if (!picture) {
-      say_error(picture.error().text);
-      return exit_code(picture.error().kind);
+      return fail(picture.error());
     }
   }
   context.phase = "showing the window";
@@ -242,8 +236,8 @@ ExitCode run_view(const Options& options, Context& context) {
     return ExitCode::environment;
   }
   if (unattended && !result.shown) {
-    say_error("the window could not show the scene; \"scenefile check\" says why");
-    return ExitCode::findings;
+    return fail(ExitCode::findings,
+                "the window could not show the scene; \"scenefile check\" says why");
   }
   return ExitCode::fine;
 }

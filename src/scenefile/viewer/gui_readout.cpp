@@ -13,6 +13,25 @@ namespace scenefile::viewer {
 
 namespace {
 
+// Breaks lines at spaces only. ImGui also breaks them in numbers, after the point.
+std::string wrapped_at_spaces(std::string text, float width) {
+  std::size_t start = 0;  // of the line
+  std::size_t space = text.npos;
+  for (std::size_t end = text.find(' '); start < text.size(); end = text.find(' ', end + 1)) {
+    end = std::min(end, text.size());
+    if (ImGui::CalcTextSize(text.data() + start, text.data() + end).x > width &&
+        space != text.npos) {
+      text[space] = '\n';
+      start = space + 1;
+    }
+    space = end;
+    if (end == text.size()) {
+      break;
+    }
+  }
+  return text;
+}
+
 // Wraps each line; what continues it starts where its text does, after the branches of the tree. A
 // click on a line that names an object or light selects it.
 void build_lines(Session& session, const std::string& text) {
@@ -30,7 +49,8 @@ void build_lines(Session& session, const std::string& text) {
     ImGui::SameLine(0, 0);
     const bool links = line.find(" (line ") != std::string::npos;
     ImGui::PushStyleColor(ImGuiCol_Text, rgba(links ? color_link : color_text));
-    ImGui::TextWrapped("%s", line.c_str() + branches);
+    ImGui::TextWrapped(
+        "%s", wrapped_at_spaces(line.substr(branches), ImGui::GetContentRegionAvail().x).c_str());
     ImGui::PopStyleColor();
     if (links && ImGui::IsItemHovered()) {
       ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);

@@ -1,7 +1,7 @@
 # Precompiled headers, with the option SCENEFILE_PRECOMPILE: reading other libraries' headers is most of
 # the time of compiling a source. Our own headers are never precompiled, so an edit of one rebuilds only
-# what includes it. Sources still include what they use: the presets for sanitizers and portability build
-# without this option.
+# what includes it. Sources still include what they use: the presets for portability, fuzzing and coverage
+# build without this option.
 #
 # scenefile_precompile(TARGET KIND [HEADERS...]): the targets of a KIND share the precompiled header
 # of the first, so they must have the same compile options. HEADERS: in addition to those of every

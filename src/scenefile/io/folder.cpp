@@ -93,6 +93,15 @@ std::string absolute_path(const std::string& path) {
   return error ? path : whole.string();
 }
 
+std::string real_folder_of(const std::string& path) {
+  std::error_code ignored;
+  return fs::weakly_canonical(fs::absolute(path, ignored), ignored).parent_path().string();
+}
+
+std::string path_from(const std::string& folder, const std::string& path) {
+  return fs::path(path).lexically_relative(folder).string();
+}
+
 Result<void> remove_file(const std::string& path) {
   std::error_code error;
   std::filesystem::remove(path, error);

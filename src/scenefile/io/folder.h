@@ -33,6 +33,11 @@ std::string file_name_of(const std::string& path);
 /// The path from the root, whether or not the file exists.
 std::string absolute_path(const std::string& path);
 
+/// The folder of a path, from the root and without links, as far as it exists.
+std::string real_folder_of(const std::string& path);
+/// The path from a folder to a file, both from the root: "../image/a.png".
+std::string path_from(const std::string& folder, const std::string& path);
+
 /// Removes a file; it is not an error if there is none.
 Result<void> remove_file(const std::string& path);
 

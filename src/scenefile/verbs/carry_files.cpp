@@ -1,23 +1,16 @@
 #include "scenefile/verbs/carry_files.h"
 
 #include "scenefile/base/text.h"
+#include "scenefile/io/folder.h"
 #include "scenefile/verbs/codes.h"
 
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <system_error>
 #include <unordered_map>
 
 namespace scenefile {
 
 namespace {
-
-std::filesystem::path folder_path(const std::string& path) {
-  std::error_code ignored;
-  return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored)
-      .parent_path();
-}
 
 bool has_folder(const std::string& output) {
   return output != "-" && !output.starts_with("/dev/");
@@ -29,7 +22,7 @@ class Carrier {
   Carrier(LoadedScene& scene, const std::string& output, const AssetAccess& access,
           const Limits& limits)
       : scene_(scene),
-        folder_(folder_path(output)),
+        folder_(real_folder_of(output)),
         here_(asset_roots_options(scene.path, access, limits)),
         there_(asset_roots_options(output, access, limits)) {}
 
@@ -54,7 +47,7 @@ class Carrier {
     if (same && (there.rule < AssetRule::path_suffix || there.rule <= here.rule)) {
       return name;
     }
-    std::string relative = std::filesystem::path(here.path).lexically_relative(folder_).string();
+    std::string relative = path_from(folder_, here.path);
     if (there_.resolve(relative).path == here.path) {
       scene_.diagnostics.report(
           convert_file_renamed, location,
@@ -75,7 +68,7 @@ class Carrier {
   }
 
   LoadedScene& scene_;
-  std::filesystem::path folder_;
+  std::string folder_;
   AssetRoots here_;
   AssetRoots there_;
   std::unordered_map<std::string, std::string> names_;
@@ -85,7 +78,7 @@ class Carrier {
 
 void carry_files(LoadedScene& scene, const std::string& output, const AssetAccess& access,
                  const Limits& limits) {
-  if (!has_folder(output) || folder_path(scene.path) == folder_path(output)) {
+  if (!has_folder(output) || real_folder_of(scene.path) == real_folder_of(output)) {
     return;
   }
   Carrier carrier(scene, output, access, limits);

@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <vector>
+
 namespace scenefile::compare_test {
 namespace {
 
@@ -54,6 +57,24 @@ TEST(Flip, PicturesSmallerThanTheFilters) {
   const Texture a = pattern(9, 40, 0);
   expect_flip(a, pattern(9, 40, 1), {0.609604, 0.984033, 0.507075});
   expect_flip(a, mirrored(a), {0.107703, 0.401497, 0.133331});
+}
+
+// Pictures are compared tile by tile.
+TEST(Flip, DoesNotDependOnThePlaceInThePicture) {
+  const Texture a = blank(400, 30, {90, 120, 200});
+  const auto errors = [&](int x) {
+    Texture b = a;
+    b.rgb[3 * (std::size_t{15} * 400 + x)] = 255;
+    const FlipMap map = flip(a, b);
+    return std::vector<float>(map.errors.begin() + 15 * 400 + x - 40,
+                              map.errors.begin() + 15 * 400 + x + 40);
+  };
+  const std::vector<float> inside = errors(64);
+  EXPECT_GT(inside[40], 0.1F);
+  EXPECT_GT(inside[33], 0);
+  for (const int x : {120, 127, 128, 131, 260}) {
+    EXPECT_EQ(errors(x), inside) << x;
+  }
 }
 
 TEST(Flip, OtherSizesAreAllWrong) {

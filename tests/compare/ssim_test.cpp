@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+
 namespace scenefile::compare_test {
 namespace {
 
@@ -29,6 +31,20 @@ TEST(Ssim, IsSymmetric) {
   const Texture a = pattern(20, 20, 1);
   const Texture b = pattern(20, 20, 5);
   EXPECT_NEAR(ssim(a, b), ssim(b, a), 1e-12);
+}
+
+// Pictures are compared tile by tile.
+TEST(Ssim, DoesNotDependOnThePlaceInThePicture) {
+  const Texture a = blank(400, 30, {90, 120, 200});
+  const auto with_a_spot = [&](int x) {
+    Texture b = a;
+    b.rgb[3 * (std::size_t{15} * 400 + x)] = 255;
+    return ssim(a, b);
+  };
+  EXPECT_LT(with_a_spot(64), 0.9999);
+  for (const int x : {125, 127, 128, 131, 260}) {
+    EXPECT_NEAR(with_a_spot(x), with_a_spot(64), 1e-12) << x;
+  }
 }
 
 TEST(Ssim, PicturesSmallerThanTheWindow) {

@@ -14,8 +14,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <random>
-#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace {
@@ -25,14 +25,14 @@ using glm::dvec3;
 constexpr double pi = 3.14159265358979323846;
 constexpr double far_away = 1e30;
 
-std::set<std::string> words;
-bool on(const char* word) {
-  return words.count(word) != 0;
+std::vector<std::string_view> words;  // few: each is asked for at each surface
+bool on(std::string_view word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
 }
-std::string setting(const std::string& name, const std::string& otherwise) {
-  for (const std::string& word : words) {
-    if (word.rfind(name + "=", 0) == 0) {
-      return word.substr(name.size() + 1);
+const char* setting(std::string_view name, const char* otherwise) {
+  for (const std::string_view word : words) {
+    if (word.size() > name.size() && word[name.size()] == '=' && word.starts_with(name)) {
+      return word.data() + name.size() + 1;
     }
   }
   return otherwise;
@@ -70,6 +70,7 @@ struct Box {
 struct Node {
   Box box;
   int first = 0, count = 0, right = 0;  // count 0: the left child follows
+  int axis = 0;
 };
 
 std::vector<Material> materials;
@@ -106,6 +107,7 @@ int build(int first, int end) {
   build(first, middle);
   const int right = build(middle, end);
   nodes[me].right = right;
+  nodes[me].axis = axis;
   return me;
 }
 
@@ -135,8 +137,12 @@ bool intersect(const Ray& r, double least, double most, Hit& hit) {
       continue;
     }
     if (node.count == 0) {
-      stack[size++] = node.right;
-      stack[size++] = static_cast<int>(&node - nodes.data()) + 1;
+      int near = static_cast<int>(&node - nodes.data()) + 1, far = node.right;
+      if (r.d[node.axis] < 0) {
+        std::swap(near, far);
+      }
+      stack[size++] = far;
+      stack[size++] = near;
       continue;
     }
     for (int i = node.first; i < node.first + node.count; ++i) {
@@ -187,7 +193,7 @@ class Tracer {
     if (on("stop-at-lamps") && m.ke != dvec3(0)) {
       return light;
     }
-    const int limit = std::atoi(setting("depth", "1000").c_str());
+    const int limit = std::atoi(setting("depth", "1000"));
     double p = continue_probability(m);
     if (m.illum == 5 || m.illum == 7) {
       if (depth >= limit || uniform() >= p) {
@@ -232,7 +238,7 @@ class Tracer {
       const dvec3 c = m.kd + m.ks;
       return m.illum == 5 || m.illum == 7 ? 0.9 : std::clamp(std::max({c.x, c.y, c.z}), 0.05, 0.95);
     }
-    return std::atof(setting("p", "0.8").c_str());
+    return std::atof(setting("p", "0.8"));
   }
   static double chance(double p) {
     return on("no-roulette-weight") ? 1
@@ -313,7 +319,7 @@ class Tracer {
   }
 
   dvec3 direct(const Hit& hit, const dvec3& n, const dvec3& in, const Material& m, int depth) {
-    const int count = std::atoi(setting("lights", "1").c_str());
+    const int count = std::atoi(setting("lights", "1"));
     dvec3 sum(0);
     const int all = static_cast<int>(lamps.size());
     for (int i = 0; i < count; ++i) {
@@ -571,7 +577,7 @@ int main(int argc, char** argv) {
                  "usage: scenefile_student_path SCENE OUT WIDTHxHEIGHT SAMPLES SEED [WORD]...\n");
     return 2;
   }
-  words.insert(argv + 6, argv + argc);
+  words.assign(argv + 6, argv + argc);
   int width = 0, height = 0;
   if (std::sscanf(argv[3], "%dx%d", &width, &height) != 2) {
     return 2;
@@ -596,7 +602,7 @@ int main(int argc, char** argv) {
   scenefile::Image image(width, height);
   Tracer tracer(seed * 7919u + 1);
   const int grid = std::max(1, static_cast<int>(std::sqrt(samples)));
-  const double clamp = std::atof(setting("clamp", "0").c_str());
+  const double clamp = std::atof(setting("clamp", "0"));
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       dvec3 sum(0);
@@ -638,7 +644,7 @@ int main(int argc, char** argv) {
   const bool linear = out.ends_with(".pfm");
   const std::string tone = setting("tone", linear ? "none" : "course");
   if (!linear || tone != "none" || on("gamma-twice")) {
-    to_screen(image, tone, std::atof(setting("exposure", "1").c_str()));
+    to_screen(image, tone, std::atof(setting("exposure", "1")));
   }
   const auto bytes = scenefile::encode_image(
       image, linear ? scenefile::ImageFormat::pfm : scenefile::ImageFormat::png8,

@@ -13,7 +13,7 @@
 
 namespace scenefile {
 
-////< A picture that the class was to draw.
+/// A picture that the class was to draw.
 struct ClassReference {
   std::string name;
   DecodedPicture picture;

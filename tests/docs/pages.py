@@ -157,7 +157,7 @@ def run_command(command, template, folder, environment, screen):
         line = command.split("|")[0]
     elif command.startswith("scenefile frames "):
         line = re.sub(r" --video \S+", "" if " -o " in command else " -o frame%04d.png", command) + " --size 32x24"
-    line = re.sub(r"--(samples|time) \d+", r"--\1 2", line)  # of paths
+    line = re.sub(r"--(samples|time) \d+", r"--\1 2", line)  # they only change time and noise
     shutil.copytree(template, folder)
     try:
         run = subprocess.run(["bash", "-c", line], cwd=folder, env=environment, stdin=subprocess.DEVNULL,

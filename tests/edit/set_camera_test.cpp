@@ -76,6 +76,16 @@ TEST(SetCamera, FocusIsAPoint) {
             replaced(text, "<focus x=\"1\" y=\"2\" z=\"0\"/>", "<focus x=\"1\" y=\"3\" z=\"4\"/>"));
 }
 
+TEST(SetCamera, FocusIsRoundedOnlyWhereItChanges) {
+  const std::string text =
+      replaced(with_camera(replaced(block, "<look x=\"0\" y=\"0\" z=\"-1\"></look>",
+                                    "<focus x=\"0.1234567\" y=\"2\" z=\"0\"/>")),
+               "x = \"1.0\"", "x = \"0\"");
+  EXPECT_EQ(edited(text, camera_at({0, 2, 3.5F}, {0.1234567F, 0, -3.5F}), {}), text);
+  EXPECT_EQ(edited(text, camera_at({0, 2, 3.5F}, {0.1234567F, 0.1F, -3.2F}), {}),
+            replaced(text, "y=\"2\" z=\"0\"/>", "y=\"2.1\" z=\"0.3\"/>"));
+}
+
 TEST(SetCamera, OtherSpellings) {
   const std::string text = with_camera(
       "<cameradata><pos a=\"1\" b=\"2\" c=\"3\"/><look x=\"0\" y=\"0\" z=\"-1\"/>"

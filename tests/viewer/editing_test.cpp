@@ -446,6 +446,11 @@ TEST_F(EditingTest, ANewSceneWithoutANameAsksForOne) {
   perform(session, Action::save);
   ASSERT_TRUE(session.question.has_value());
   EXPECT_FALSE(std::filesystem::exists(folder.path("scene.xml")));
+  session.question->path = folder.path("a.xml");
+  answer("Save");
+  answer("Cancel");
+  perform(session, Action::save);
+  ASSERT_TRUE(session.question.has_value()) << "asks again";
   session.question->path = folder.path("mine.xml");
   answer("Save");
   EXPECT_EQ(folder.read("mine.xml"), text());

@@ -374,6 +374,9 @@ async function openModel(files, path) {
 // The text of a scene's bytes, and whether its encoding was guessed. It is saved in UTF-8, so a declaration of another
 // encoding becomes one of UTF-8.
 function sceneText(bytes) {
+  if (bytes.every((byte) => byte < 128)) {
+    return [text.decode(bytes), false];
+  }
   const declaration = /^(<\?xml[^>]*\sencoding\s*=\s*)(["'])([^"'>]*)\2/;
   const declared = declaration.exec(new TextDecoder('latin1').decode(bytes.subarray(0, 200)))?.[3];
   const mark = (bytes[0] << 8) | bytes[1];

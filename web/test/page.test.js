@@ -705,6 +705,10 @@ test('scenes in other encodings become UTF-8', async () => {
   };
   assert.equal(await opened('latin1.xml', Buffer.from(withDeclaration('ISO-8859-1'), 'latin1')), withDeclaration('UTF-8'));
   assert.equal(await opened('utf16.xml', Buffer.from(`\ufeff${withDeclaration('UTF-16')}`, 'utf16le')), withDeclaration('UTF-8'));
+  for (const encoding of ['ISO-8859-1', 'UTF-16']) {
+    const ascii = hello.replace(/^(<\?xml[^>]*>)?/, `<?xml version="1.0" encoding="${encoding}"?>`);
+    assert.equal(await opened(`ascii-${encoding}.xml`, Buffer.from(ascii)), ascii);
+  }
   assert.equal(await page.locator('[data-key="encoding"]').count(), 0);
   for (const encoding of ['', 'UTF-8']) {
     const text = withDeclaration(encoding);

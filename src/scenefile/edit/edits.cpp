@@ -1122,8 +1122,9 @@ Result<Edit> set_camera(const Document& document, const Camera& camera) {
   const Camera defaults;
   std::vector<TextChange> changes;
   std::vector<std::pair<const FieldWord*, Values>> fresh;
+  // `spelled`: how changed numbers are written.
   const auto set = [&](const FieldView& field, std::span<const float> numbers,
-                       std::span<const float> assumed) {
+                       std::span<const float> assumed, std::span<const float> spelled = {}) {
     Values values(numbers.size());
     bool differs = false;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -1132,7 +1133,7 @@ Result<Edit> set_camera(const Document& document, const Camera& camera) {
                         static_cast<float>(old.value) == numbers[i];
       differs = differs || numbers[i] != assumed[i];
       if (!same) {
-        values[i] = number_text(numbers[i]);
+        values[i] = number_text(spelled.empty() ? numbers[i] : spelled[i]);
       }
     }
     if (field.written) {
@@ -1144,23 +1145,18 @@ Result<Edit> set_camera(const Document& document, const Camera& camera) {
     }
   };
   // The sum of two floats may have more digits than they have.
+  const glm::vec3 focus = camera.position + camera.look;
   const glm::dvec3 sum = glm::dvec3(camera.position) + glm::dvec3(camera.look);
   const float size = std::max(glm::length(camera.position), glm::length(camera.look));
   const double step = std::pow(10.0, std::floor(std::log10(std::max(double{size}, 1e-30))) - 5);
-  const glm::vec3 exact = camera.position + camera.look;
-  glm::vec3 focus = glm::round(sum / step) * step;
+  const glm::vec3 rounded = glm::round(sum / step) * step;
   for (const FieldView& field : fields) {
     if (field.title == camera_fields[0].title) {
       set(field, {&camera.position.x, 3}, {&defaults.position.x, 3});
     } else if (field.name == "look" && (field.written || !has_focus)) {
       set(field, {&camera.look.x, 3}, {&defaults.look.x, 3});
     } else if (field.name == "focus" && field.written) {
-      for (int i = 0; i < 3; ++i) {
-        const bool same =
-            parse_number(field.parts[static_cast<std::size_t>(i)].value).value == exact[i];
-        focus[i] = same ? exact[i] : focus[i];
-      }
-      set(field, {&focus.x, 3}, {&focus.x, 3});
+      set(field, {&focus.x, 3}, {&focus.x, 3}, {&rounded.x, 3});
     } else if (field.name == "up") {
       set(field, {&camera.up.x, 3}, {&defaults.up.x, 3});
     } else if (field.title == camera_fields[4].title) {

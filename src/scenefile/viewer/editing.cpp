@@ -126,11 +126,6 @@ std::optional<ItemId> item_of_part(const Document& document, const EditedPart& p
   return item;
 }
 
-// In XML, the group around an object is its transblock, which has only transforms.
-bool is_block(const Document& document, ItemId item, const OutlineRow& row) {
-  return row.kind == RowKind::group && document[item].kind != ItemKind::group;
-}
-
 EditedPart part_of(const Document& document, ItemId item) {
   return {document[item].kind, document[item].range.from};
 }
@@ -180,6 +175,7 @@ bool write_text(Session& session, const std::string& path) {
   }
   note_saved(session.editing, session.editing.text);
   session.editing.new_file = false;
+  session.editing.named = true;
   say(session, "saved: " + escaped(path));
   return true;
 }
@@ -214,8 +210,8 @@ void save_at(Session& session, const std::string& path) {
     ask_where_to_save(session, path, wrong);
     return;
   }
-  session.editing.named = true;
   if (absolute_path(path) == absolute_path(session.path)) {
+    session.editing.named = true;
     save_scene(session);
     return;
   }
@@ -282,12 +278,12 @@ std::optional<ItemId> selected_item(Session& session) {
     return std::nullopt;
   }
   if (!editing.part && session.selected && shows_edited_text(session)) {
-    const std::optional<ItemId> item =
-        item_of_row(*document, session.shown->outline.rows[*session.selected]);
-    editing.part = item ? std::optional(part_of(*document, *item)) : std::nullopt;
-    if (item) {
+    const OutlineRow& row = session.shown->outline.rows[*session.selected];
+    if (const std::optional<ItemId> item = item_of_row(*document, row)) {
+      editing.part = part_of(*document, *item);
+      // In XML, the group around an object is its transblock, which has only transforms.
       editing.part->block =
-          is_block(*document, *item, session.shown->outline.rows[*session.selected]);
+          row.kind == RowKind::group && (*document)[*item].kind != ItemKind::group;
     }
   }
   if (!editing.part) {

@@ -17,16 +17,12 @@ namespace {
 std::string wrapped_at_spaces(std::string text, float width) {
   std::size_t start = 0;  // of the line
   std::size_t space = text.npos;
-  for (std::size_t end = text.find(' '); start < text.size(); end = text.find(' ', end + 1)) {
-    end = std::min(end, text.size());
-    if (ImGui::CalcTextSize(text.data() + start, text.data() + end).x > width &&
-        space != text.npos) {
+  for (std::size_t end = 0; end < text.size(); space = end++) {
+    end = std::min(text.find(' ', end), text.size());
+    if (space != text.npos &&
+        ImGui::CalcTextSize(text.data() + start, text.data() + end).x > width) {
       text[space] = '\n';
       start = space + 1;
-    }
-    space = end;
-    if (end == text.size()) {
-      break;
     }
   }
   return text;

@@ -47,6 +47,24 @@ struct Judge : ::testing::Test {
     picture.texture = quantize(picture.linear, Rounding::nearest);
     return picture;
   }
+  // As if light of lamps fell off by the distance: by block the picture of the change itself.
+  DecodedPicture with_distance(DecodedPicture picture) const {
+    const ChangedPicture& changed =
+        truth.changes[static_cast<std::size_t>(Change::falloff_distance)];
+    for (int y = 0; y < 64; ++y) {
+      for (int x = 0; x < 64; ++x) {
+        const std::size_t block = std::size_t(y / block_side) * truth.columns + x / block_side;
+        Color right(0);
+        for (const auto& [kind, light] : truth.kinds) {
+          right += kind.hit ? Color(0) : light[block];
+        }
+        for (int c = 0; c < 3; ++c) {
+          picture.linear.pixel(x, y)[c] *= static_cast<float>(changed.sampled[block][c] / right[c]);
+        }
+      }
+    }
+    return picture;
+  }
   static std::string names(const std::vector<PathClaim>& claims) {
     std::string text;
     for (const PathClaim& claim : claims) {
@@ -108,22 +126,54 @@ TEST_F(Judge, NamesFactorsOfDirectLightByTheScene) {
 }
 
 TEST_F(Judge, NamesAMistakeOfTheDistance) {
-  // As if light of lamps fell off by the distance: the picture of the change itself, with noise.
-  const ChangedPicture& changed = truth.changes[static_cast<std::size_t>(Change::falloff_distance)];
+  EXPECT_EQ(names(judge_path(truth, with_distance(drawn())).causes), "distance ");
+}
+
+TEST_F(Judge, NamesTwoMistakes) {
+  options.max_depth = 1;
   DecodedPicture picture = drawn();
-  for (int y = 0; y < 64; ++y) {
-    for (int x = 0; x < 64; ++x) {
-      const std::size_t block = std::size_t(y / block_side) * truth.columns + x / block_side;
-      Color right(0);
-      for (const auto& [kind, light] : truth.kinds) {
-        right += kind.hit ? Color(0) : light[block];
-      }
-      for (int c = 0; c < 3; ++c) {
-        picture.linear.pixel(x, y)[c] *= static_cast<float>(changed.sampled[block][c] / right[c]);
-      }
+  const PathVerdict first = judge_path(truth, with_distance(picture));
+  ASSERT_EQ(first.partial.size(), 1);
+  EXPECT_THAT(first.partial[0].what, ::testing::HasSubstr("indirect light is missing"));
+  EXPECT_THAT(first.partial[0].what, ::testing::HasSubstr("distance"));
+  for (float& value : picture.linear.rgb) {
+    value *= value < 8 ? 0.5f : 1;  // all but the lamp
+  }
+  const PathVerdict second = judge_path(truth, picture);
+  ASSERT_EQ(second.partial.size(), 1);
+  EXPECT_THAT(second.partial[0].what, ::testing::HasSubstr("indirect light is missing"));
+  EXPECT_THAT(second.partial[0].what, ::testing::ContainsRegex("factor 0.(49|50)"));
+}
+
+TEST_F(Judge, NamesColorsOfTheLight) {
+  // Light samples without Ke.
+  DecodedPicture picture = drawn();
+  for (std::size_t i = 0; i < picture.linear.rgb.size(); i += 3) {
+    for (std::size_t c = 0; c < 3 && picture.linear.rgb[i] < 11; ++c) {
+      picture.linear.rgb[i + c] /= static_cast<float>(truth.lamp_color[static_cast<int>(c)]);
     }
   }
-  EXPECT_EQ(names(judge_path(truth, picture).causes), "distance ");
+  const PathVerdict verdict = judge_path(truth, picture);
+  EXPECT_EQ(names(verdict.partial), "lamp-color ");
+  EXPECT_THAT(verdict.partial[0].what, ::testing::HasSubstr("not multiplied by Ke"));
+}
+
+TEST_F(Judge, FindsValuesThatAreCutOff) {
+  DecodedPicture picture = drawn();
+  for (float& value : picture.linear.rgb) {
+    value = std::min(value, 2.0f);
+  }
+  EXPECT_EQ(names(judge_path(truth, picture).causes), "clamped ");
+}
+
+TEST_F(Judge, FindsGammaInLinearFiles) {
+  for (const double gamma : {2.2, 4.4}) {
+    DecodedPicture picture = drawn();
+    for (float& value : picture.linear.rgb) {
+      value = static_cast<float>(std::pow(std::min(value, 1.0f), 1 / gamma));
+    }
+    EXPECT_EQ(names(judge_path(truth, picture).causes), "gamma ") << gamma;
+  }
 }
 
 TEST_F(Judge, SaysWhenItIsTooNoisy) {
@@ -163,7 +213,7 @@ TEST(Linearize, UndoesTheCoursesCurve) {
   image.rgb = {0.2f, 0.4f, 0.1f, 9, 7, 5};
   DecodedPicture picture;
   picture.texture = quantize(tone_mapped(image, Tone::course, 0), Rounding::nearest);
-  const LinearPicture found = linearized(picture, ToneCurve::course, brightest(image.rgb, 0));
+  const LinearPicture found = linearized(picture, {ToneCurve::course, brightest(image.rgb, 0)});
   for (int c = 0; c < 3; ++c) {
     EXPECT_NEAR(found.pixels[0][c], image.rgb[c], 3.5 * std::sqrt(found.rounding[0][c]));
   }

@@ -45,6 +45,9 @@ struct CourseConfig {
   float path_continuation_prob = 0;     ///< of each bounce, 0 to 1; 0: none
   bool direct_lighting_only = false;
 
+  /// Of paths; 0: no maximum. Paths that never go on see direct light.
+  int most_bounces() const { return path_continuation_prob == 0 ? 1 : 0; }
+
   friend bool operator==(const CourseConfig&, const CourseConfig&) = default;
 };
 

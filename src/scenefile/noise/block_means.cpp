@@ -9,7 +9,17 @@ namespace {
 // Differences of our model from a right program: the shape of filters, float precision.
 constexpr double model_error = 0.004;
 
-// Half of the value, half of the mean of the blocks around it.
+}  // namespace
+
+double median_of(std::vector<double> values) {
+  if (values.empty()) {
+    return 0;
+  }
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 BlockColors shrunk(const BlockColors& values, int columns) {
   const int rows = static_cast<int>(values.size()) / columns;
   BlockColors result = values;
@@ -28,17 +38,6 @@ BlockColors shrunk(const BlockColors& values, int columns) {
     }
   }
   return result;
-}
-
-}  // namespace
-
-double median_of(std::vector<double> values) {
-  if (values.empty()) {
-    return 0;
-  }
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 BlockColors combined(const BlockColors& a, double by, const BlockColors& b) {
@@ -70,16 +69,16 @@ TruthBlocks::TruthBlocks(const PathTruth& t) : truth(t), zero(t.blocks(), Color(
       gradient_x[b] += dx;
       gradient_y[b] += dy;
       // Noise has steps, too.
-      const Color noise = t.deviations[at] / t.samples;
-      steps += glm::sqrt(glm::max(dx * dx + dy * dy - 4.0 * noise, Color(0)));
+      steps += dx * dx + dy * dy - 1.5 * t.deviations[at] / t.samples;
       ++count;
     });
     variance[b] /= count;
     pixels.push_back(count);
     gradient_x[b] /= count;
     gradient_y[b] /= count;
-    // Samples in the middle of pixels, and other filters, move edges by parts of a pixel.
-    edge[b] = steps * steps / (count * count * 12);
+    // Samples in the middle of pixels, and other filters, move edges by parts of a pixel: all of a
+    // side alike.
+    edge[b] = glm::max(steps, Color(0)) * double(block_side) / (count * count * 12);
   }
   variance = shrunk(variance, t.columns);
   truth_noise = shrunk(t.noise, t.columns);

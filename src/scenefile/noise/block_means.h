@@ -25,6 +25,9 @@ void for_each_pixel(const PathTruth& truth, std::size_t b, const Visit& visit) {
 /// 0 without values.
 double median_of(std::vector<double> values);
 
+/// Half of the value, half of the mean of the blocks around it.
+BlockColors shrunk(const BlockColors& values, int columns);
+
 /// a + by * b
 BlockColors combined(const BlockColors& a, double by, const BlockColors& b);
 

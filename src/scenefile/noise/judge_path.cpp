@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 
 namespace scenefile {
 
@@ -19,23 +20,63 @@ std::string factor_text(double factor, double error) {
   return fmt::format("factor {:.3f} +- {:.3f}", factor, error);
 }
 
-// The factor of lamps that the camera sees: of blocks that show nothing else.
-std::optional<double> lamp_factor(const TruthBlocks& back, const LinearPicture& picture) {
+// Pixels that show nothing but lamps.
+std::vector<std::size_t> lamp_pixels(const TruthBlocks& back) {
   const PathTruth& t = back.truth;
+  std::vector<std::size_t> pixels;
+  for (std::size_t at = 0; at < t.pixels.size(); ++at) {
+    const std::size_t block = at / t.width / block_side * t.columns + at % t.width / block_side;
+    const double bright = luminance(t.pixels[at]);
+    if (luminance(back.lamp[block]) > 0 && bright > 0 &&
+        luminance(t.deviations[at]) <= 2.5e-3 * bright * bright) {
+      pixels.push_back(at);
+    }
+  }
+  return pixels;
+}
+
+// The factor of lamps that the camera sees.
+std::optional<double> lamp_factor(const TruthBlocks& back, const LinearPicture& picture) {
   std::vector<double> ratios;
-  for (int y = 1; y + 1 < t.height; ++y) {
-    for (int x = 1; x + 1 < t.width; ++x) {
-      const std::size_t at = std::size_t(y) * t.width + x;
-      const std::size_t block = std::size_t(y / block_side) * t.columns + x / block_side;
-      const double bright = luminance(t.pixels[at]);
-      if (luminance(back.lamp[block]) == 0 || picture.usable[at] == 0 || bright <= 0 ||
-          luminance(t.deviations[at]) > 1e-4 * bright * bright) {
-        continue;
-      }
-      ratios.push_back(luminance(picture.pixels[at]) / bright);
+  for (const std::size_t at : lamp_pixels(back)) {
+    if (picture.usable[at] != 0) {
+      ratios.push_back(luminance(picture.pixels[at]) / luminance(back.truth.pixels[at]));
     }
   }
   return ratios.size() < 4 ? std::nullopt : std::optional<double>(median_of(ratios));
+}
+
+// The largest value, if visible lamps have it instead of their emission, and other light does not
+// have the same factor.
+std::optional<double> cut_off(const TruthBlocks& back, const LinearPicture& picture,
+                              const ObservedBlocks& seen) {
+  double most = 0;
+  for (const Color& pixel : picture.pixels) {
+    most = std::max({most, pixel.x, pixel.y, pixel.z});
+  }
+  std::size_t brighter = 0;
+  std::size_t cut = 0;
+  double lamp = 0;
+  for (const std::size_t at : lamp_pixels(back)) {
+    for (int c = 0; c < 3; ++c) {
+      if (back.truth.pixels[at][c] > 1.05 * most) {
+        ++brighter;
+        cut += std::abs(picture.pixels[at][c] / most - 1) < 1e-4 ? 1 : 0;
+        lamp = back.truth.pixels[at][c];
+      }
+    }
+  }
+  std::vector<double> ratios;
+  for (std::size_t b = 0; b < back.all.size(); ++b) {
+    if (back.left_out[b] == 0 && luminance(back.all[b]) > 0) {
+      ratios.push_back(luminance(seen.measured.mean[b]) / luminance(back.all[b]));
+    }
+  }
+  constexpr std::size_t fewest = 12;
+  const bool is_cut = brighter >= fewest &&
+                      static_cast<double>(cut) > 0.95 * static_cast<double>(brighter) &&
+                      std::abs(median_of(std::move(ratios)) * lamp / most - 1) > 0.1;
+  return is_cut ? std::optional<double>(most) : std::nullopt;
 }
 
 struct PlaceRow {
@@ -144,9 +185,12 @@ void count_fireflies(const TruthBlocks& back, const LinearPicture& picture, Path
   verdict.firefly_energy = energy > 0 ? bright / energy : 0;
 }
 
+// An exponent near those of 2.2 or 2, applied twice.
+constexpr double gamma_twice = 4.4;
+
 // One way to linearize the picture, and what the search found then.
 struct Reading {
-  ToneCurve curve = ToneCurve::linear;
+  ScreenCurve screen;
   bool any_exposure = false;
   LinearPicture picture;
   ObservedBlocks seen;
@@ -161,32 +205,29 @@ struct Reading {
   }
 };
 
-Reading read_as(const TruthBlocks& back, const DecodedPicture& mine, ToneCurve curve, double white,
+// Without models.
+Reading read_as(const TruthBlocks& back, const DecodedPicture& mine, const ScreenCurve& screen,
                 bool any_exposure) {
   Reading reading;
-  reading.curve = curve;
+  reading.screen = screen;
   reading.any_exposure = any_exposure;
-  reading.picture = linearized(mine, curve, white);
+  reading.picture = linearized(mine, screen);
   reading.seen = observe(back, reading.picture);
-  const ModelSearch search(back, reading.seen, any_exposure);
-  reading.right = search.right();
-  reading.models = search.models();
+  reading.right = ModelSearch(back, reading.seen, any_exposure).right();
+  return reading;
+}
+
+void add_models(const TruthBlocks& back, Reading& reading) {
+  reading.models = ModelSearch(back, reading.seen, reading.any_exposure).models();
   std::sort(reading.models.begin(), reading.models.end(),
             [](const PathModel& a, const PathModel& b) { return a.score() < b.score(); });
-  return reading;
 }
 
 // The white of the curve `course` for which visible lamps have their emission.
 std::optional<double> white_by_lamps(const TruthBlocks& back, const DecodedPicture& mine) {
-  const PathTruth& t = back.truth;
   std::vector<double> whites;
-  for (std::size_t at = 0; at < t.pixels.size(); ++at) {
-    const std::size_t block = at / t.width / block_side * t.columns + at % t.width / block_side;
-    const double bright = luminance(t.pixels[at]);
-    if (luminance(back.lamp[block]) == 0 || bright <= 0 ||
-        luminance(t.deviations[at]) > 1e-4 * bright * bright) {
-      continue;
-    }
+  for (const std::size_t at : lamp_pixels(back)) {
+    const double bright = luminance(back.truth.pixels[at]);
     const std::uint8_t* rgb = &mine.texture.rgb[3 * at];
     const Color shown = glm::dvec3(rgb[0], rgb[1], rgb[2]) / 255.0;
     const double value = luminance(shown * shown);
@@ -202,10 +243,11 @@ double fitted_white(const TruthBlocks& back, const DecodedPicture& mine, bool an
   double best = 1;
   double least = 1e300;
   for (double white = 0.05; white < 2000; white *= 1.2) {
-    const ObservedBlocks seen = observe(back, linearized(mine, ToneCurve::course, white));
+    const ObservedBlocks seen = observe(back, linearized(mine, {ToneCurve::course, white}));
     const ModelSearch search(back, seen, any_exposure);
     PathModel scaled{
-        ModelKind::mistake, "direct", "", combined(back.lamp, 1, back.hit), {back.sampled}};
+        ModelKind::mistake, Cause::light_samples, "direct", "", combined(back.lamp, 1, back.hit),
+        {back.sampled}};
     search.solve(scaled);
     const double chi2 =
         std::min(search.right().chi2, 2 * scaled.chi2) / static_cast<double>(seen.tested + 1);
@@ -222,28 +264,38 @@ std::vector<Reading> readings_of(const TruthBlocks& back, const DecodedPicture& 
                                  bool as_shown) {
   std::vector<Reading> list;
   if (mine.is_linear() && !as_shown) {
-    list.push_back(read_as(back, mine, ToneCurve::linear, 1, false));
+    list.push_back(read_as(back, mine, {}, false));
+    add_models(back, list.front());
     return list;
   }
   const double white = white_by_lamps(back, mine).value_or(0);
-  const auto add = [&](ToneCurve curve, double white, bool any_exposure) {
-    Reading reading = read_as(back, mine, curve, white, any_exposure);
+  const auto add = [&](const ScreenCurve& screen, bool any_exposure) {
+    Reading reading = read_as(back, mine, screen, any_exposure);
     if (3 * reading.seen.tested > back.truth.blocks()) {
+      if (!as_shown) {
+        add_models(back, reading);
+      }
       list.push_back(std::move(reading));
     }
   };
+  constexpr std::array others{ScreenCurve{ToneCurve::reinhard},
+                              ScreenCurve{ToneCurve::luminance},
+                              ScreenCurve{ToneCurve::srgb},
+                              ScreenCurve{ToneCurve::clamp},
+                              ScreenCurve{ToneCurve::power, 2.2},
+                              ScreenCurve{ToneCurve::power, 2},
+                              ScreenCurve{ToneCurve::power, gamma_twice}};
   for (const bool any_exposure : {false, true}) {
-    add(ToneCurve::course, white > 0 ? white : fitted_white(back, mine, any_exposure),
+    add({ToneCurve::course, white > 0 ? white : fitted_white(back, mine, any_exposure)},
         any_exposure);
-  }
-  for (const ToneCurve curve : {ToneCurve::reinhard, ToneCurve::power22, ToneCurve::srgb,
-                                ToneCurve::power2, ToneCurve::clamp}) {
-    add(curve, 1, false);
-    add(curve, 1, true);
+    for (const ScreenCurve& screen : others) {
+      add(screen, any_exposure);
+    }
   }
   // A fitted exposure must explain clearly more, and other curves than the course's.
   const auto cost = [](const Reading& r) {
-    return (r.left() + 0.2) * (r.any_exposure ? 1.3 : 1) * (r.curve == ToneCurve::course ? 1 : 1.3);
+    return (r.left() + 0.2) * (r.any_exposure ? 1.3 : 1) *
+           (r.screen.curve == ToneCurve::course ? 1 : 1.3);
   };
   std::stable_sort(list.begin(), list.end(),
                    [&](const Reading& a, const Reading& b) { return cost(a) < cost(b); });
@@ -269,6 +321,27 @@ double effect_of(const TruthBlocks& back, const PathModel& model) {
   return light > 0 ? changed / light : 0;
 }
 
+// Whether the model leaves little of the difference beyond noise. What its own noise could explain
+// does not count.
+bool is_complete(const PathModel& m, double before, double explained, double values) {
+  const double plain = m.plain_chi2 / before;
+  return (explained >= 0.85 && m.chi2 < 3 * values && plain < 0.4) ||
+         (explained >= 0.985 && plain < 0.05 && !m.two_mistakes());
+}
+
+const char* kind_of(Cause page) {
+  switch (page) {
+    case Cause::light_samples:
+      return "light samples are wrong";
+    case Cause::scattering:
+      return "what surfaces scatter is wrong";
+    case Cause::specular_paths:
+      return "what mirrors or glass show is wrong";
+    default:
+      return nullptr;
+  }
+}
+
 void explain(const TruthBlocks& back, const Reading& reading, PathVerdict& verdict) {
   const ModelSearch search(back, reading.seen, reading.any_exposure);
   const double n = reading.values();
@@ -277,53 +350,108 @@ void explain(const TruthBlocks& back, const Reading& reading, PathVerdict& verdi
       before - reading.models.front().chi2 < claim_errors * claim_errors) {
     return;
   }
-  const PathModel& best = reading.models.front();
   const std::optional<double> whole =
       reading.any_exposure ? std::nullopt : lamp_factor(back, reading.picture);
   const auto explained = [&](const PathModel& m) {
     return before > n ? std::clamp((before - std::max(m.chi2, n)) / (before - n), 0.0, 1.0) : 0;
   };
-  const double z = std::abs(search.significance(best));
-  const double effect = effect_of(back, best);
+  const auto evidence = [&](const PathModel& m) {
+    return fmt::format("explains {:.0f} % of the difference beyond noise; {:.0f} standard errors",
+                       100 * explained(m), std::abs(search.significance(m)));
+  };
+  const auto counts = [&](const PathModel& m) {
+    return std::abs(search.significance(m)) >= claim_errors && effect_of(back, m) >= least_effect;
+  };
+  const auto claim = [&](std::vector<PathClaim>& list, const PathModel& m, const Meaning& name) {
+    const auto same = [&](const PathClaim& c) {
+      return c.what == name.what || c.name == name.name;
+    };
+    if (std::none_of(list.begin(), list.end(), same)) {
+      list.push_back({name.page, name.name, name.what, evidence(m), explained(m)});
+    }
+  };
+  // A mistake that explains as much as free numbers is more likely.
+  const double tie = std::max(25.0, 0.004 * (before - reading.models.front().chi2));
+  const double most = reading.models.front().deviance + tie;
+  const auto is_known = [&](const PathModel& m) {
+    bool general = false;
+    static_cast<void>(meanings(back.truth, m, whole, general));
+    return !general && m.edits == 1 && m.deviance < most && is_complete(m, before, explained(m), n);
+  };
+  const auto known = std::find_if(reading.models.begin(), reading.models.end(), is_known);
+  const PathModel& best = known == reading.models.end() ? reading.models.front() : *known;
   verdict.chi2_per_value = best.chi2 / n;
-  if (z < claim_errors || effect < least_effect) {
+  const bool complete = is_complete(best, before, explained(best), n);
+  const std::optional<PathModel> two =
+      complete && best.edits == 1 ? std::nullopt : search.pair(reading.models);
+  if (two && is_complete(*two, before, explained(*two), n) && counts(*two) &&
+      (!complete || two->score() < best.score())) {
+    bool general = false;
+    const Meaning a = meanings(back.truth, *two->first, whole, general).front();
+    const Meaning b = meanings(back.truth, *two->second, whole, general).front();
+    const bool first_wrong = two->first->kind != ModelKind::convention;
+    const bool second_wrong = two->second->kind != ModelKind::convention;
+    if (first_wrong && second_wrong) {
+      claim(verdict.partial, *two, {a.page, a.name, a.what + "; and " + b.what});
+    } else {
+      claim(first_wrong ? verdict.causes : verdict.conventions, *two, a);
+      claim(second_wrong ? verdict.causes : verdict.conventions, *two, b);
+    }
     return;
   }
-  const double tie = std::max(25.0, 0.004 * (before - best.chi2));
-  const bool complete = explained(best) >= 0.9 && (best.chi2 < 3 * n || explained(best) >= 0.985);
-  bool general = false;
-  for (const PathModel& m : reading.models) {
-    const bool first = &m == &best;
-    if (!complete || m.chi2 > best.chi2 + tie ||
-        (!first && (general || best.edits > 1 || m.edits > 1))) {
-      continue;
+  if (complete) {
+    if (!counts(best)) {
+      return;
     }
-    bool this_general = false;
-    const std::vector<Meaning> names = meanings(back.truth, m, whole, this_general);
-    general = general || (first && this_general);
-    if (!first && this_general) {
-      continue;  // explains the same with a free number
-    }
-    std::vector<PathClaim>& list = best.kind == ModelKind::convention ? verdict.conventions
-                                   : general || best.two_mistakes()   ? verdict.partial
-                                                                      : verdict.causes;
-    for (const Meaning& name : names) {
-      const auto same = [&](const PathClaim& c) {
-        return c.what == name.what || c.name == name.name;
-      };
-      if (std::none_of(list.begin(), list.end(), same)) {
-        list.push_back({name.name, name.what,
-                        fmt::format("explains {:.0f} % of the difference beyond noise; {:.0f} "
-                                    "standard errors",
-                                    100 * explained(m), z),
-                        explained(m)});
+    bool general = false;
+    for (const PathModel& m : reading.models) {
+      const bool first = &m == &best;
+      if (m.deviance > best.deviance + tie || m.plain_chi2 > best.plain_chi2 + tie ||
+          (!first && (general || best.edits > 1 || m.edits > 1))) {
+        continue;
+      }
+      bool this_general = false;
+      const std::vector<Meaning> names = meanings(back.truth, m, whole, this_general);
+      general = general || (first && this_general);
+      if (!first && this_general) {
+        continue;  // explains the same with a free number
+      }
+      for (const Meaning& name : names) {
+        claim(best.kind == ModelKind::convention ? verdict.conventions
+              : general || best.two_mistakes()   ? verdict.partial
+                                                 : verdict.causes,
+              m, name);
       }
     }
-  }
-  constexpr std::size_t most_named = 3;
-  if (verdict.causes.size() > most_named || verdict.partial.size() > most_named) {
+    constexpr std::size_t most_named = 3;
+    if (std::max(verdict.causes.size(), verdict.partial.size()) <= most_named) {
+      return;
+    }
     verdict.causes.clear();
     verdict.partial.clear();
+    return;
+  }
+  // Mistakes of one kind that the noise does not tell apart.
+  const auto near = [&](const PathModel& m) {
+    return m.kind == ModelKind::mistake && m.deviance < most && explained(m) >= 0.85;
+  };
+  const PathModel& first = reading.models.front();
+  if (near(first) && counts(first) &&
+      std::all_of(reading.models.begin(), reading.models.end(),
+                  [&](const PathModel& m) { return !near(m) || m.page == first.page; })) {
+    if (const char* const what = kind_of(first.page); what != nullptr) {
+      claim(verdict.partial, first, {first.page, "kind", what});
+      return;
+    }
+  }
+  // A part of the light that has another factor.
+  for (const PathModel& m : reading.models) {
+    bool general = false;
+    const std::vector<Meaning> names = meanings(back.truth, m, whole, general);
+    if (general && m.free.size() <= 1 && explained(m) >= 0.7 && counts(m)) {
+      claim(verdict.partial, m, names.front());
+      return;
+    }
   }
 }
 
@@ -345,7 +473,7 @@ void name_places(const Reading& reading, double chi2, PathVerdict& verdict) {
   }
   if (worst != nullptr) {
     const bool missing = worst->factor < 0.05;
-    verdict.partial.push_back({"light",
+    verdict.partial.push_back({Cause::scattering, "light",
                                missing ? fmt::format("{} is missing", worst->name)
                                        : fmt::format("{} has the {}", worst->name,
                                                      factor_text(worst->factor, worst->error)),
@@ -383,15 +511,16 @@ bool explains(const TruthBlocks& back, const Reading& before, const Reading& oth
 // Mistakes in what is done with the picture, not in the light.
 void explain_file(const TruthBlocks& back, const DecodedPicture& mine, const Reading& reading,
                   PathVerdict& verdict) {
-  constexpr std::array<std::pair<const char*, const char*>, 3> ways{
-      {{"vertical-flip", "the picture is upside down"},
-       {"horizontal-flip", "the picture is mirrored"},
-       {"swapped-channels", "red and blue are swapped"}}};
+  constexpr std::array<std::tuple<Cause, const char*, const char*>, 3> ways{
+      {{Cause::vertical_flip, "vertical-flip", "the picture is upside down"},
+       {Cause::horizontal_flip, "horizontal-flip", "the picture is mirrored"},
+       {Cause::swapped_channels, "swapped-channels", "red and blue are swapped"}}};
   for (int how = 0; how < 3; ++how) {
     if (explains(back, reading,
-                 read_as(back, rearranged(mine, back.truth, how), reading.curve, 1,
+                 read_as(back, rearranged(mine, back.truth, how), reading.screen,
                          reading.any_exposure))) {
-      verdict.causes.push_back({ways[how].first, ways[how].second, "explains the difference", 1});
+      const auto& [page, name, what] = ways[how];
+      verdict.causes.push_back({page, name, what, "explains the difference", 1});
       return;
     }
   }
@@ -399,9 +528,9 @@ void explain_file(const TruthBlocks& back, const DecodedPicture& mine, const Rea
     for (const Reading& other : readings_of(back, mine, true)) {
       if (!other.any_exposure && explains(back, reading, other)) {
         verdict.causes.push_back(
-            {"gamma",
+            {Cause::gamma, "gamma",
              fmt::format("the file should be linear, but has values for the screen, by {}",
-                         curve_words[static_cast<std::size_t>(other.curve)]),
+                         other.screen.words()),
              "explains the difference", 1});
         return;
       }
@@ -425,10 +554,10 @@ void name_growth(const TruthBlocks& back, const LinearPicture& picture, PathVerd
   const double factor = median_of(ratios);
   if (factor > 1.3) {
     verdict.partial.push_back(
-        {"light",
+        {Cause::scattering, "light",
          fmt::format("most pixels are brighter than the truth, by a factor of at least {:.2f}, and "
                      "the noise is far too large: light grows from bounce to bounce, as without "
-                     "1 / pi or the density of directions",
+                     "the cosine, 1 / pi or the density of directions",
                      factor),
          "median of pixels", 0});
     verdict.too_noisy = false;
@@ -449,11 +578,12 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
   verdict.mine.resize(truth.blocks());
   if (readings.empty()) {
     verdict.too_noisy = true;
-    verdict.notes.push_back({"clipped", "most of the picture is clipped", "", 0});
+    verdict.notes.push_back(
+        {Cause::brightness, "clipped", "most of the picture is clipped", "", 0});
     return verdict;
   }
   const Reading& reading = readings.front();
-  verdict.curve = curve_words[static_cast<std::size_t>(reading.curve)];
+  verdict.curve = reading.screen.words();
   verdict.exposure = reading.any_exposure ? reading.right.factor() : 1;
   verdict.samples = 1 / reading.seen.per_sample;
   verdict.tested = reading.seen.tested;
@@ -478,12 +608,27 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
   add_energy(back, reading.seen.measured, verdict);
   count_fireflies(back, reading.picture, verdict);
   explain(back, reading, verdict);
-  if (verdict.causes.empty() && verdict.partial.empty() && verdict.conventions.empty() &&
-      verdict.largest > verdict.critical) {
+  const auto unexplained = [&] {
+    return verdict.causes.empty() && verdict.conventions.empty() &&
+           verdict.largest > verdict.critical;
+  };
+  if (unexplained()) {
     explain_file(back, mine, reading, verdict);
-    if (verdict.causes.empty()) {
-      name_places(reading, chi2, verdict);
-    }
+  }
+  const std::optional<double> cut = mine.is_linear() && verdict.causes.empty()
+                                        ? cut_off(back, reading.picture, reading.seen)
+                                        : std::nullopt;
+  if (cut) {
+    verdict.causes.push_back(
+        {Cause::overflow, "clamped",
+         fmt::format("no value is above {:.3g}: those of samples or pixels are cut off there",
+                     *cut),
+         "visible lamps", 1});
+  }
+  if (!verdict.causes.empty()) {
+    verdict.partial.clear();
+  } else if (verdict.partial.empty() && unexplained()) {
+    name_places(reading, chi2, verdict);
   }
   const bool explained_by_convention = !verdict.conventions.empty();
   const auto shift = [&](std::size_t axis) {
@@ -495,7 +640,7 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
   };
   if (verdict.causes.empty() && verdict.partial.empty() && (shift(0) != 0 || shift(1) != 0)) {
     verdict.conventions.push_back(
-        {"pixel-corners",
+        {Cause::half_pixel_shift, "pixel-corners",
          "the picture is shifted by a part of a pixel, as if rays went through the corners of "
          "pixels",
          fmt::format("{:.2f} to the right, {:.2f} down", -shift(0), -shift(1)), 0});
@@ -507,14 +652,15 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
     for (const PathPlace& place : verdict.places) {
       error = std::max(error, place.share > 0.15 ? place.error : 0);
     }
-    constexpr double hidden = 0.3;  // a factor that noise may hide
-    if (claim_errors * error > hidden || reading.seen.relative_noise > too_much_noise) {
+    constexpr double hidden = 0.3;                // a factor that noise may hide
+    const double limit = 1.5 * verdict.critical;  // caustics have heavy tails
+    if (reading.seen.relative_noise > too_much_noise ||
+        (claim_errors * error > hidden && shown < 2 && verdict.largest < limit)) {
       verdict.too_noisy = true;
       verdict.more_samples = std::pow(claim_errors * error / hidden, 2);
       name_growth(back, reading.picture, verdict);
     } else {
-      verdict.right =
-          shown < 2 && (explained_by_convention || verdict.largest < 2 * verdict.critical);
+      verdict.right = shown < 2 && (explained_by_convention || verdict.largest < limit);
     }
   }
   return verdict;

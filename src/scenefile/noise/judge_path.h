@@ -15,6 +15,7 @@
 // picture as well.
 
 #include "scenefile/asset/image_file.h"
+#include "scenefile/grade/causes.h"
 #include "scenefile/noise/path_truth.h"
 
 #include <cstddef>
@@ -28,10 +29,11 @@ inline constexpr double least_effect = 0.04;
 
 /// A mistake, or another convention.
 struct PathClaim {
-  std::string name;      ///< such as "lamp-cosine"
-  std::string what;      ///< as a phrase
-  std::string evidence;  ///< numbers, as text
-  double explained = 0;  ///< of the excess over the noise, at most 1
+  Cause page = Cause::scattering;  ///< of help
+  std::string name;                ///< such as "lamp-cosine"
+  std::string what;                ///< as a phrase
+  std::string evidence;            ///< numbers, as text
+  double explained = 0;            ///< of the excess over the noise, at most 1
 };
 
 /// A kind of light, and how much of it the picture has.

@@ -2,6 +2,8 @@
 
 #include "scenefile/path/lamps.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,19 +18,23 @@ double uncompressed(double shown, double white) {
   return square / 2 * (-b + std::sqrt(b * b + 4 * shown / square));
 }
 
-Color undone(const Color& v, ToneCurve curve, double white) {
-  switch (curve) {
+Color undone(const Color& v, const ScreenCurve& screen) {
+  switch (screen.curve) {
     case ToneCurve::course: {
       const Color square = v * v;
       const double shown = luminance(square);
-      return shown > 0 ? square * (uncompressed(shown, white) / shown) : Color(0);
+      return shown > 0 ? square * (uncompressed(shown, screen.parameter) / shown) : Color(0);
     }
     case ToneCurve::reinhard: {
       const Color power = glm::pow(v, Color(2.2));
       return power / glm::max(Color(1) - power, Color(1e-3));
     }
-    case ToneCurve::power22:
-      return glm::pow(v, Color(2.2));
+    case ToneCurve::luminance: {
+      const Color power = glm::pow(v, Color(2.2));
+      return power / std::max(1 - luminance(power), 1e-3);
+    }
+    case ToneCurve::power:
+      return glm::pow(v, Color(screen.parameter));
     case ToneCurve::srgb: {
       Color result;
       for (int c = 0; c < 3; ++c) {
@@ -36,8 +42,6 @@ Color undone(const Color& v, ToneCurve curve, double white) {
       }
       return result;
     }
-    case ToneCurve::power2:
-      return v * v;
     case ToneCurve::linear:
     case ToneCurve::clamp:
       break;
@@ -47,7 +51,27 @@ Color undone(const Color& v, ToneCurve curve, double white) {
 
 }  // namespace
 
-LinearPicture linearized(const DecodedPicture& picture, ToneCurve curve, double white) {
+std::string ScreenCurve::words() const {
+  switch (curve) {
+    case ToneCurve::linear:
+      return "linear values";
+    case ToneCurve::course:
+      return "the tone curve of the course";
+    case ToneCurve::reinhard:
+      return "the tone curve v / (1 + v) and gamma 2.2";
+    case ToneCurve::luminance:
+      return "the tone curve v / (1 + luminance) and gamma 2.2";
+    case ToneCurve::power:
+      return fmt::format("gamma {:.3g}", parameter);
+    case ToneCurve::srgb:
+      return "sRGB";
+    case ToneCurve::clamp:
+      break;
+  }
+  return "values from 0 to 1";
+}
+
+LinearPicture linearized(const DecodedPicture& picture, const ScreenCurve& screen) {
   LinearPicture result;
   const bool floats = picture.is_linear();
   const std::size_t count = (floats ? picture.linear.rgb.size() : picture.texture.rgb.size()) / 3;
@@ -63,16 +87,16 @@ LinearPicture linearized(const DecodedPicture& picture, ToneCurve curve, double 
     if (floats) {
       result.usable[i] = std::isfinite(v.x + v.y + v.z) ? 1 : 0;
       v = result.usable[i] != 0 ? v : Color(0);
-      if (curve == ToneCurve::linear) {
+      if (screen.curve == ToneCurve::linear) {
         result.pixels[i] = v;
         continue;
       }
       v = glm::clamp(v, Color(0), Color(1));
     }
     result.usable[i] = result.usable[i] != 0 && std::max({v.x, v.y, v.z}) < 1 ? 1 : 0;
-    result.pixels[i] = undone(v, curve, white);
-    const Color step = undone(glm::min(v + 0.5 / 255, Color(1)), curve, white) -
-                       undone(glm::max(v - 0.5 / 255, Color(0)), curve, white);
+    result.pixels[i] = undone(v, screen);
+    const Color step = undone(glm::min(v + 0.5 / 255, Color(1)), screen) -
+                       undone(glm::max(v - 0.5 / 255, Color(0)), screen);
     result.rounding[i] = step * step / 12.0;
   }
   return result;

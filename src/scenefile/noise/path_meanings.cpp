@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <string_view>
+#include <utility>
 
 namespace scenefile {
 
@@ -12,9 +15,17 @@ namespace {
 
 using std::numbers::pi;
 
+struct Constant {
+  double value;
+  Meaning meaning;
+};
+
 // What the factor of all reflected light can mean.
 std::vector<Meaning> meanings_of_direct(const PathTruth& truth, double factor, double error) {
-  std::vector<Meaning> known;
+  const auto of_samples = [](const char* name, std::string what) {
+    return Meaning{Cause::light_samples, name, std::move(what)};
+  };
+  std::vector<Constant> known;
   const double n = static_cast<double>(truth.lamp_areas.size());
   double area = 0;
   for (const double a : truth.lamp_areas) {
@@ -24,49 +35,54 @@ std::vector<Meaning> meanings_of_direct(const PathTruth& truth, double factor, d
       n > 0 && *std::min_element(truth.lamp_areas.begin(), truth.lamp_areas.end()) >
                    0.99 * *std::max_element(truth.lamp_areas.begin(), truth.lamp_areas.end());
   known.push_back(
-      {2, "direct-twice",
-       "direct light counts twice: by light samples and by hits of lamps, or for both sides"});
-  known.push_back({pi, "pi", "Kd is not divided by pi in direct light"});
-  known.push_back({1 / pi, "pi", "Kd is divided twice by pi in direct light"});
+      {2, of_samples("direct-twice",
+                     "direct light counts twice: by light samples and by hits of lamps, or for "
+                     "both sides")});
+  known.push_back({pi, {Cause::scattering, "pi", "Kd is not divided by pi in direct light"}});
+  known.push_back({1 / pi, {Cause::scattering, "pi", "Kd is divided twice by pi in direct light"}});
   if (n > 1) {
-    known.push_back(
-        {1 / n, "lamp-sampling",
-         fmt::format("a lamp triangle is chosen without dividing by the probability 1/{:.0f}", n)});
-    known.push_back(
-        {n, "lamp-sampling",
-         fmt::format(
-             "light samples are multiplied once too often by the number of lamp triangles, {:.0f}",
-             n)});
+    known.push_back({1 / n, of_samples("lamp-sampling",
+                                       fmt::format("a lamp triangle is chosen without dividing by "
+                                                   "the probability 1/{:.0f}",
+                                                   n))});
+    known.push_back({n, of_samples("lamp-sampling",
+                                   fmt::format("light samples are multiplied once too often by the "
+                                               "number of lamp triangles, {:.0f}",
+                                               n))});
   }
   if (equal && n > 0) {
     known.push_back(
-        {n / area, "lamp-area",
-         fmt::format("light samples are not multiplied by the area of the triangle, {:.4g}",
-                     area / n)});
+        {n / area, of_samples("lamp-area", fmt::format("light samples are not multiplied by the "
+                                                       "area of the triangle, {:.4g}",
+                                                       area / n))});
     known.push_back(
-        {n * n / area / area, "lamp-area",
-         fmt::format("light samples are divided by the area of the triangle, {:.4g}", area / n)});
+        {n * n / area / area,
+         of_samples("lamp-area", fmt::format("light samples are divided by the area of the "
+                                             "triangle, {:.4g}",
+                                             area / n))});
   }
   if (area > 0) {
     known.push_back(
-        {1 / area, "lamp-area",
-         fmt::format("light samples are not multiplied by the area of all lamps, {:.4g}", area)});
+        {1 / area, of_samples("lamp-area", fmt::format("light samples are not multiplied by the "
+                                                       "area of all lamps, {:.4g}",
+                                                       area))});
   }
-  known.push_back({0.5, "self-shadow", "half of the shadow rays hit the surface they start on"});
+  known.push_back(
+      {0.5, of_samples("self-shadow", "half of the shadow rays hit the surface they start on")});
   std::vector<Meaning> found;
-  for (Meaning& k : known) {
+  for (Constant& k : known) {
     if (is_number(factor, error, k.value)) {
-      found.push_back(std::move(k));
+      found.push_back(std::move(k.meaning));
     }
   }
   if (found.empty() || is_number(factor, error, 2)) {
     for (int count = 2; count <= 16; ++count) {
       if (is_number(factor, error, count)) {
-        found.push_back({double(count), "lamp-sampling",
-                         fmt::format("{} light samples are added, not averaged", count)});
+        found.push_back(of_samples("lamp-sampling",
+                                   fmt::format("{} light samples are added, not averaged", count)));
       } else if (is_number(factor, error, 1.0 / count) && found.empty()) {
-        found.push_back({1.0 / count, "lamp-sampling",
-                         fmt::format("light samples are divided by {} once too often", count)});
+        found.push_back(of_samples(
+            "lamp-sampling", fmt::format("light samples are divided by {} once too often", count)));
       }
     }
   }
@@ -79,6 +95,39 @@ bool is_number(double value, double error, double constant) {
   return std::abs(value / constant - 1) < std::max(0.012, 3 * error / constant);
 }
 
+namespace {
+
+std::string factor_words(std::string_view place, double factor) {
+  return std::abs(factor) < 0.03 ? fmt::format("{} is missing", place)
+                                 : fmt::format("{} has the factor {:.3f}", place, factor);
+}
+
+// What the factor `p` of each diffuse or glossy bounce after the first can mean.
+std::vector<Meaning> meanings_of_scattering(double p, double error) {
+  constexpr auto page = Cause::scattering;
+  std::vector<Meaning> found;
+  const std::array<Constant, 5> known{{
+      {pi, {page, "pi", "Kd is not divided by pi in scattered light"}},
+      {1 / pi, {page, "pi", "Kd is divided twice by pi in scattered light"}},
+      {1 / (2 * pi),
+       {page, "direction-density",
+        "scattered light is not divided by the density of the direction, 1 / 2 pi"}},
+      {0.5,
+       {page, "scattered-factor",
+        "scattered light has the factor 1/2, as if half of the directions were lost, or the "
+        "density were twice as large"}},
+      {2, {page, "scattered-factor", "scattered light counts twice at each bounce"}},
+  }};
+  for (const Constant& k : known) {
+    if (is_number(p, error, k.value)) {
+      found.push_back(k.meaning);
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
 std::vector<Meaning> meanings(const PathTruth& truth, const PathModel& m,
                               std::optional<double> whole, bool& general) {
   general = false;
@@ -88,59 +137,74 @@ std::vector<Meaning> meanings(const PathTruth& truth, const PathModel& m,
   const double p_error = 0.01 * p;
   if (m.name == "direct" || m.name == "whole") {
     if (whole && is_number(*whole, 0.01, f)) {
-      return {{f, "brightness", fmt::format("everything, lamps too, has the factor {:.3f}", f)}};
+      return {{Cause::brightness, "brightness",
+               fmt::format("everything, lamps too, has the factor {:.3f}", f)}};
     }
     std::vector<Meaning> found = meanings_of_direct(truth, f, error);
     general = found.empty();
     if (general) {
       found.push_back(
-          {f, "direct-factor",
+          {m.page, "direct-factor",
            fmt::format(
                "all light that surfaces reflect has the factor {:.3f}: from direct light on", f)});
     } else if (!whole) {
-      found.push_back({f, "brightness", "the brightness of the picture or the lamps"});
+      found.push_back(
+          {Cause::brightness, "brightness", "the brightness of the picture or the lamps"});
     }
     return found;
   }
-  if (m.name == "direct-and-scattered" || m.name == "direct-and-bounce") {
-    if (m.name == "direct-and-scattered" && is_number(f, error, p)) {
-      if (is_number(p, p_error, pi)) {
-        return {{p, "pi", "Kd is not divided by pi"}};
-      }
-      if (is_number(p, p_error, 1 / pi)) {
-        return {{p, "pi", "Kd is divided twice by pi"}};
-      }
+  if (m.name == "indirect-color") {
+    general = true;
+    return {{m.page, "indirect-factor",
+             fmt::format("indirect light has the factors {:.3f}, {:.3f} and {:.3f} for red, green "
+                         "and blue",
+                         f, m.fit.factors[1], m.fit.factors[2])}};
+  }
+  if (m.name == "direct-color") {
+    general = true;
+    std::string what = fmt::format(
+        "light samples have the factors {:.3f}, {:.3f} and {:.3f} for "
+        "red, green and blue",
+        f, m.fit.factors[1], m.fit.factors[2]);
+    const Color& lamp = truth.lamp_color;
+    bool gray = true;  // times the emission
+    for (int c = 1; c < 3; ++c) {
+      gray = gray && is_number(m.fit.factors[c] * lamp[c], (m.fit.errors[c] + error) * lamp[c],
+                               f * lamp[0]);
     }
-    general = true;  // two free numbers fit much
-    return {};
+    if (gray && !is_number(lamp[0], 0, lamp[2])) {
+      what += ", as if they were not multiplied by Ke";
+    }
+    return {{m.page, "lamp-color", what}};
+  }
+  if (m.name == "direct-and-scattered" || m.name == "direct-and-bounce") {
+    const bool scattered = m.name == "direct-and-scattered";
+    if (scattered && is_number(f, error, p) &&
+        (is_number(p, p_error, pi) || is_number(p, p_error, 1 / pi))) {
+      return {{m.page, "pi", p > 1 ? "Kd is not divided by pi" : "Kd is divided twice by pi"}};
+    }
+    general = true;
+    std::string what =
+        fmt::format("all light that surfaces reflect has the factor {:.3f}, and ", f);
+    if (is_number(f, error, p)) {
+      what = fmt::format("each reflection, that of direct light too, has the factor {:.3f}", f);
+    } else if (p < 0.05) {
+      what += "indirect light is missing";
+    } else {
+      what += fmt::format("each {} bounce after the first the factor {:.3f}",
+                          scattered ? "diffuse or glossy" : "further", p);
+    }
+    return {{m.page, scattered ? "reflection-factor" : "bounce-factor", what}};
   }
   if (m.name == "scattered" || m.name == "bounce") {
-    std::vector<Meaning> found;
     const bool specular = truth.mirror || truth.glass;
+    std::vector<Meaning> found;
     if (m.name == "scattered" || !specular) {
-      if (is_number(p, p_error, pi)) {
-        found.push_back({p, "pi", "Kd is not divided by pi in scattered light"});
-      }
-      if (is_number(p, p_error, 1 / pi)) {
-        found.push_back({p, "pi", "Kd is divided twice by pi in scattered light"});
-      }
-      if (is_number(p, p_error, 1 / (2 * pi))) {
-        found.push_back(
-            {p, "direction-density",
-             "scattered light is not divided by the density of the direction, 1 / 2 pi"});
-      }
-      if (is_number(p, p_error, 0.5)) {
-        found.push_back(
-            {p, "scattered-factor",
-             "scattered light has the factor 1/2, as if half of the directions were lost"});
-      }
-      if (is_number(p, p_error, 2)) {
-        found.push_back({p, "scattered-factor", "scattered light counts twice at each bounce"});
-      }
+      found = meanings_of_scattering(p, p_error);
     }
     if (found.empty() && m.name == "scattered" && specular) {
       general = true;
-      return {{p, "scattered-factor",
+      return {{m.page, "scattered-factor",
                fmt::format(
                    "light has the factor {:.3f} for each diffuse or glossy bounce after the first",
                    p)}};
@@ -149,7 +213,7 @@ std::vector<Meaning> meanings(const PathTruth& truth, const PathModel& m,
       general = true;  // another name says that this light is missing
     }
     if (found.empty() || m.name == "bounce") {
-      found.push_back({p, "roulette",
+      found.push_back({Cause::path_length, "roulette",
                        p < 1 ? fmt::format("paths are not divided by the probability {:.2f} of "
                                            "going on: each bounce has this factor",
                                            p)
@@ -159,24 +223,31 @@ std::vector<Meaning> meanings(const PathTruth& truth, const PathModel& m,
     }
     return found;
   }
-  if (m.name == "first-direct" || m.name == "indirect" || m.name == "mirror" || m.name == "glass" ||
-      m.name == "caustics") {
-    if (!m.free.empty()) {
-      general = true;
-      const char* const place = m.name == "first-direct"
-                                    ? "direct light, also in mirrors and glass,"
-                                : m.name == "indirect" ? "indirect light"
-                                : m.name == "mirror"   ? "light after a mirror"
-                                : m.name == "glass"    ? "light after glass"
-                                                       : "light of caustics";
-      return {{f, m.name + "-factor", fmt::format("{} has the factor {:.3f}", place, f)}};
-    }
+  if (m.name == "glass-step") {
+    general = true;
+    return {
+        {m.page, "glass-factor",
+         fmt::format("light has the factor {:.3f} for each reflection or refraction by glass", p)}};
+  }
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> places{
+      {{"first-direct", "direct light, also in mirrors and glass,"},
+       {"indirect", "indirect light"},
+       {"mirror", "light after a mirror"},
+       {"glass", "light after glass"},
+       {"caustics", "light of caustics"},
+       {"glossy-lobe", "the glossy lobe"}}};
+  const auto* const place = std::find_if(places.begin(), places.end(),
+                                         [&](const auto& row) { return row.first == m.name; });
+  if (place != places.end() && !m.free.empty()) {
+    general = true;
+    return {{m.page, m.name == "glossy-lobe" ? "glossy" : m.name + "-factor",
+             factor_words(place->second, f)}};
   }
   std::string what = m.what;
   if (!m.free.empty() && m.edits == 2) {
     what += fmt::format(", and light samples have the factor {:.3f}", f);
   }
-  return {{f, m.name, what}};
+  return {{m.page, m.name, what}};
 }
 
 }  // namespace scenefile

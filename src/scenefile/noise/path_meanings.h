@@ -10,7 +10,7 @@
 namespace scenefile {
 
 struct Meaning {
-  double value = 1;
+  Cause page = Cause::scattering;
   std::string name;
   std::string what;
 };

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace scenefile {
 
@@ -13,78 +14,102 @@ namespace {
 struct ChangeRow {
   Change change;
   ModelKind kind;
+  Cause page;
+  const char* name;
+  const char* what;
+};
+
+struct VariantRow {
+  Variant variant;
+  ModelKind kind;
+  Cause page;
   const char* name;
   const char* what;
 };
 
 constexpr std::array<ChangeRow, change_count> change_rows{{
-    {Change::surface_cosine_direct, ModelKind::mistake, "surface-cosine",
+    {Change::surface_cosine_direct, ModelKind::mistake, Cause::scattering, "surface-cosine",
      "direct light is not multiplied by the cosine at the surface"},
-    {Change::surface_cosine_indirect, ModelKind::mistake, "surface-cosine",
+    {Change::surface_cosine_indirect, ModelKind::mistake, Cause::scattering, "surface-cosine",
      "scattered light is not multiplied by the cosine at the surface"},
-    {Change::surface_cosine, ModelKind::mistake, "surface-cosine",
+    {Change::surface_cosine, ModelKind::mistake, Cause::scattering, "surface-cosine",
      "light is not multiplied by the cosine at the surface"},
-    {Change::surface_cosine_twice, ModelKind::mistake, "surface-cosine",
+    {Change::surface_cosine_twice, ModelKind::mistake, Cause::scattering, "surface-cosine",
      "direct light is multiplied twice by the cosine at the surface"},
-    {Change::lamp_cosine, ModelKind::mistake, "lamp-cosine",
+    {Change::lamp_cosine, ModelKind::mistake, Cause::light_samples, "lamp-cosine",
      "light of lamps is not multiplied by the cosine at the lamp"},
-    {Change::lamp_cosine_twice, ModelKind::mistake, "lamp-cosine",
+    {Change::lamp_cosine_twice, ModelKind::mistake, Cause::light_samples, "lamp-cosine",
      "light of lamps is multiplied twice by the cosine at the lamp"},
-    {Change::falloff_distance, ModelKind::mistake, "distance",
+    {Change::falloff_distance, ModelKind::mistake, Cause::light_samples, "distance",
      "light of lamps is divided by the distance, not by its square"},
-    {Change::falloff_none, ModelKind::mistake, "distance",
+    {Change::falloff_none, ModelKind::mistake, Cause::light_samples, "distance",
      "light of lamps is not divided by the square of the distance"},
-    {Change::falloff_cube, ModelKind::mistake, "distance",
+    {Change::falloff_cube, ModelKind::mistake, Cause::light_samples, "distance",
      "light of lamps is divided by the third power of the distance"},
-    {Change::no_visibility, ModelKind::mistake, "visibility",
+    {Change::no_visibility, ModelKind::mistake, Cause::light_samples, "visibility",
      "light samples are not tested for shadows"},
-    {Change::diffuse_missing_direct, ModelKind::mistake, "diffuse-color",
+    {Change::diffuse_missing_direct, ModelKind::mistake, Cause::scattering, "diffuse-color",
      "direct light is not multiplied by Kd"},
-    {Change::diffuse_missing_indirect, ModelKind::mistake, "diffuse-color",
+    {Change::diffuse_missing_indirect, ModelKind::mistake, Cause::scattering, "diffuse-color",
      "scattered light is not multiplied by Kd"},
-    {Change::diffuse_missing, ModelKind::mistake, "diffuse-color", "light is not multiplied by Kd"},
-    {Change::diffuse_twice_direct, ModelKind::mistake, "diffuse-color",
+    {Change::diffuse_missing, ModelKind::mistake, Cause::scattering, "diffuse-color",
+     "light is not multiplied by Kd"},
+    {Change::diffuse_twice_direct, ModelKind::mistake, Cause::scattering, "diffuse-color",
      "direct light is multiplied twice by Kd"},
-    {Change::diffuse_twice_indirect, ModelKind::mistake, "diffuse-color",
+    {Change::diffuse_twice_indirect, ModelKind::mistake, Cause::scattering, "diffuse-color",
      "scattered light is multiplied twice by Kd"},
-    {Change::diffuse_twice, ModelKind::mistake, "diffuse-color", "light is multiplied twice by Kd"},
-    {Change::glossy_scale, ModelKind::mistake, "glossy",
+    {Change::diffuse_twice, ModelKind::mistake, Cause::scattering, "diffuse-color",
+     "light is multiplied twice by Kd"},
+    {Change::glossy_scale, ModelKind::mistake, Cause::scattering, "glossy",
      "the glossy lobe is not multiplied by (Ns + 2) / 2 pi"},
-    {Change::glossy_missing, ModelKind::mistake, "glossy", "the glossy lobe is missing"},
-    {Change::glossy_blinn, ModelKind::mistake, "glossy",
+    {Change::glossy_missing, ModelKind::mistake, Cause::scattering, "glossy",
+     "the glossy lobe is missing"},
+    {Change::glossy_blinn, ModelKind::mistake, Cause::scattering, "glossy",
      "the glossy lobe uses the half vector (Blinn) instead of the mirror direction (Phong)"},
-    {Change::lobe_alone, ModelKind::convention, "lobe-alone",
+    {Change::lobe_alone, ModelKind::convention, Cause::scattering, "lobe-alone",
      "materials whose Ks is larger than Kd have the glossy lobe alone"},
-    {Change::uniform_density, ModelKind::mistake, "direction-density",
+    {Change::uniform_density, ModelKind::mistake, Cause::scattering, "direction-density",
      "directions are distributed by the cosine, but divided by the density 1 / 2 pi"},
-    {Change::cosine_density, ModelKind::mistake, "direction-density",
+    {Change::cosine_density, ModelKind::mistake, Cause::scattering, "direction-density",
      "directions are uniform, but divided by the density cos / pi"},
-    {Change::polar_density, ModelKind::mistake, "direction-density",
+    {Change::polar_density, ModelKind::mistake, Cause::scattering, "direction-density",
      "directions have uniform angles, which are not uniform directions: too many near the normal"},
-    {Change::corner_points, ModelKind::mistake, "lamp-points",
+    {Change::y_directions, ModelKind::mistake, Cause::scattering, "direction-axis",
+     "directions are distributed around the y axis instead of the normal"},
+    {Change::z_directions, ModelKind::mistake, Cause::scattering, "direction-axis",
+     "directions are distributed around the z axis instead of the normal"},
+    {Change::color_roulette, ModelKind::mistake, Cause::path_length, "roulette",
+     "paths are not divided by the probability of going on, which is the largest value of Kd + Ks"},
+    {Change::corner_points, ModelKind::mistake, Cause::light_samples, "lamp-points",
      "points on the triangles of lamps are not uniform"},
-    {Change::edge_points, ModelKind::mistake, "lamp-points",
+    {Change::edge_points, ModelKind::mistake, Cause::light_samples, "lamp-points",
      "points on the triangles of lamps are not uniform"},
-    {Change::normalized_points, ModelKind::mistake, "lamp-points",
+    {Change::normalized_points, ModelKind::mistake, Cause::light_samples, "lamp-points",
      "points on the triangles of lamps are not uniform: three random numbers divided by their sum"},
-    {Change::lamp_area, ModelKind::mistake, "lamp-area",
+    {Change::lamp_area, ModelKind::mistake, Cause::light_samples, "lamp-area",
      "light samples are not multiplied by the area of the triangle"},
-    {Change::first_lamp, ModelKind::mistake, "lamp-choice",
+    {Change::first_lamp, ModelKind::mistake, Cause::light_samples, "lamp-choice",
      "only one triangle of the lamps is sampled"},
-    {Change::last_lamp, ModelKind::mistake, "lamp-choice",
+    {Change::last_lamp, ModelKind::mistake, Cause::light_samples, "lamp-choice",
      "only one triangle of the lamps is sampled"},
-    {Change::fresnel_twice, ModelKind::mistake, "fresnel",
+    {Change::fresnel_twice, ModelKind::mistake, Cause::specular_paths, "fresnel",
      "glass chooses by Fresnel's reflectance and multiplies by it as well"},
-    {Change::no_fresnel, ModelKind::mistake, "fresnel", "glass only refracts, it reflects nothing"},
-    {Change::half_fresnel, ModelKind::mistake, "fresnel",
+    {Change::no_fresnel, ModelKind::mistake, Cause::specular_paths, "fresnel",
+     "glass only refracts, it reflects nothing"},
+    {Change::half_fresnel, ModelKind::mistake, Cause::specular_paths, "fresnel",
      "glass reflects and refracts with the same weight, whatever the angle"},
-    {Change::no_total_reflection, ModelKind::mistake, "total-reflection",
+    {Change::only_reflection, ModelKind::mistake, Cause::specular_paths, "fresnel",
+     "glass only reflects, it refracts nothing"},
+    {Change::swapped_fresnel, ModelKind::mistake, Cause::specular_paths, "fresnel",
+     "glass refracts with the probability of reflection"},
+    {Change::no_total_reflection, ModelKind::mistake, Cause::specular_paths, "total-reflection",
      "the light of total internal reflection is missing"},
-    {Change::schlick, ModelKind::convention, "schlick",
+    {Change::schlick, ModelKind::convention, Cause::specular_paths, "schlick",
      "Schlick's approximation of Fresnel's equations"},
-    {Change::mirror_cosine, ModelKind::mistake, "mirror-cosine", "mirrors multiply by the cosine"},
-    {Change::mirror_without_color, ModelKind::convention, "mirror-without-ks",
-     "mirrors do not multiply by Ks"},
+    {Change::mirror_cosine, ModelKind::mistake, Cause::specular_paths, "mirror-cosine",
+     "mirrors multiply by the cosine"},
+    {Change::mirror_without_color, ModelKind::convention, Cause::specular_paths,
+     "mirror-without-ks", "mirrors do not multiply by Ks"},
 }};
 
 }  // namespace
@@ -102,15 +127,38 @@ void ModelSearch::solve(PathModel& model) const {
   }
   columns.insert(columns.end(), nuisance_.begin(), nuisance_.end());
   model.fit = fit(measured_, fixed, columns);
+  if (!model.noise.empty()) {
+    if (!model.free.empty()) {
+      const double scale = model.factor() * model.factor();
+      for (Color& noise : model.noise) {
+        noise *= scale;
+      }
+    }
+    model.fit = fit(measured_with(model), fixed, columns);
+  }
   if (!model.fit.solved) {  // the scene has none of this light
-    model.fit.chi2 = model.chi2 = 1e300;
+    model.fit.chi2 = model.chi2 = model.plain_chi2 = model.deviance = 1e300;
     return;
   }
-  model.chi2 = 0;
+  model.chi2 = model.plain_chi2 = model.deviance = 0;
   for (std::size_t b = 0; b < fixed.size(); ++b) {
     const Color rest = residual(model, b);
-    model.chi2 += glm::dot(seen_.cautious[b] * rest, rest);
+    // Of the variance, in units of that without the noise of the model.
+    const Color more =
+        model.noise.empty() ? Color(1) : Color(1) + seen_.cautious[b] * model.noise[b];
+    model.plain_chi2 += glm::dot(seen_.cautious[b] * rest, rest);
+    model.chi2 += glm::dot(seen_.cautious[b] / more * rest, rest);
+    model.deviance += glm::dot(glm::log(more), Color(1));
   }
+  model.deviance += model.chi2;
+}
+
+MeasuredBlocks ModelSearch::measured_with(const PathModel& model) const {
+  MeasuredBlocks measured = measured_;
+  for (std::size_t b = 0; b < model.noise.size(); ++b) {
+    measured.weight[b] /= Color(1) + measured.weight[b] * model.noise[b];
+  }
+  return measured;
 }
 
 Color ModelSearch::residual(const PathModel& model, std::size_t b) const {
@@ -123,34 +171,78 @@ Color ModelSearch::residual(const PathModel& model, std::size_t b) const {
 }
 
 PathModel ModelSearch::right() const {
-  PathModel model{ModelKind::right, "right", "", back_.all, {}, 1, 0, 0};
+  PathModel model{ModelKind::right, Cause::scattering, "right", "", back_.all, {}, 1, 0, 0};
   solve(model);
   return model;
 }
 
-double ModelSearch::significance(const PathModel& model) const {
-  BlockColors step = back_.zero;
-  for (std::size_t b = 0; b < step.size(); ++b) {
-    Color value = model.fixed[b];
-    for (std::size_t i = 0; i < model.free.size(); ++i) {
-      value += model.fit.factors[i] * model.free[i][b];
-    }
-    step[b] = value - back_.all[b];
+BlockColors ModelSearch::picture_of(const PathModel& model) const {
+  BlockColors picture = model.fixed;
+  for (std::size_t i = 0; i < model.free.size(); ++i) {
+    picture = combined(picture, model.fit.factors[i], model.free[i]);
   }
+  return picture;
+}
+
+double ModelSearch::significance(const PathModel& model) const {
+  const BlockColors step = combined(picture_of(model), -1, back_.all);
   std::vector<const BlockColors*> columns{&step};
   columns.insert(columns.end(), nuisance_.begin(), nuisance_.end());
   if (any_exposure_) {
     columns.push_back(&back_.all);
   }
-  const BlockFit found = fit(measured_, back_.all, columns);
+  const BlockFit found = fit(measured_with(model), back_.all, columns);
   return found.solved ? found.factors[0] / found.errors[0] : 0;
 }
 
+std::optional<PathModel> ModelSearch::pair(const std::vector<PathModel>& singles) const {
+  const BlockColors light = combined(back_.all, -1, back_.lamp);
+  const auto may_be = [&](const PathModel& m) {
+    double change = 0;
+    for (const Color& step : combined(picture_of(m), -1, back_.all)) {
+      change += std::abs(luminance(step));
+    }
+    return m.edits == 1 && m.parameters == 0 && m.fit.solved && m.free.empty() &&
+           change > 0.001 * back_.energy(light);
+  };
+  std::vector<std::pair<const PathModel*, BlockColors>> parts;
+  for (const PathModel& m : singles) {
+    if (may_be(m)) {
+      parts.emplace_back(&m, combined(picture_of(m), -1, back_.lamp));
+    }
+  }
+  std::optional<PathModel> best;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    for (std::size_t j = i + 1; j < parts.size(); ++j) {
+      const PathModel& a = *parts[i].first;
+      const PathModel& b = *parts[j].first;
+      if (a.name == b.name) {
+        continue;
+      }
+      PathModel model{a.kind, a.page, a.name, "", back_.lamp, {}, 1, 0, 2};
+      BlockColors product = parts[i].second;
+      for (std::size_t k = 0; k < product.size(); ++k) {
+        for (int c = 0; c < 3; ++c) {
+          product[k][c] *= light[k][c] > 0 ? parts[j].second[k][c] / light[k][c] : 1;
+        }
+      }
+      model.fixed = combined(model.fixed, 1, product);
+      model.first = &a;
+      model.second = &b;
+      solve(model);
+      if (model.fit.solved && (!best || model.score() < best->score())) {
+        best = std::move(model);
+      }
+    }
+  }
+  return best;
+}
+
 // `power`: how often the parameter is a factor.
-PathModel ModelSearch::by_parameter(const char* name, int (*power)(const LightKind&),
+PathModel ModelSearch::by_parameter(Cause page, const char* name, int (*power)(const LightKind&),
                                     bool free_direct) const {
   const auto at = [&](double p) {
-    PathModel model{ModelKind::mistake, name, "", {}, {}, p, 1, free_direct ? 2 : 1};
+    PathModel model{ModelKind::mistake, page, name, "", {}, {}, p, 1, free_direct ? 2 : 1};
     const auto factor = [&](const LightKind& k) { return std::pow(p, power(k)); };
     BlockColors hits = back_.scaled_kinds(factor, true);
     BlockColors samples = back_.scaled_kinds(factor, false);
@@ -186,34 +278,68 @@ PathModel ModelSearch::by_parameter(const char* name, int (*power)(const LightKi
 }
 
 std::vector<PathModel> ModelSearch::models() const {
+  constexpr auto lamps = Cause::light_samples;
+  constexpr auto scattering = Cause::scattering;
+  constexpr auto lengths = Cause::path_length;
+  constexpr auto specular = Cause::specular_paths;
   std::vector<PathModel> list;
   const auto add = [&](PathModel model) {
     solve(model);
     list.push_back(std::move(model));
   };
-  const auto without = [&](const char* name, std::string what, const auto& lost) {
-    add({ModelKind::mistake, name, std::move(what), combined(back_.all, -1, back_.sum(lost)), {}});
+  const auto without = [&](Cause page, const char* name, std::string what, const auto& lost) {
+    add({ModelKind::mistake,
+         page,
+         name,
+         std::move(what),
+         combined(back_.all, -1, back_.sum(lost)),
+         {}});
   };
   const BlockColors lamp_and_hit = combined(back_.lamp, 1, back_.hit);
-  add({ModelKind::mistake, "direct", "", lamp_and_hit, {back_.sampled}});
-  add({ModelKind::mistake, "whole", "", back_.zero, {back_.all}});
+  add({ModelKind::mistake, lamps, "direct", "", lamp_and_hit, {back_.sampled}});
+  add({ModelKind::mistake, lamps, "whole", "", back_.zero, {back_.all}});
+  const auto colored = [&](Cause page, const char* name, const BlockColors& light) {
+    PathModel model{ModelKind::mistake, page, name, "", combined(back_.all, -1, light), {}};
+    for (int c = 0; c < 3; ++c) {
+      Color channel(0);
+      channel[c] = 1;
+      model.free.push_back(light);
+      for (Color& value : model.free.back()) {
+        value *= channel;
+      }
+    }
+    add(std::move(model));
+  };
+  colored(lamps, "direct-color", back_.sampled);
+  colored(scattering, "indirect-color", back_.sum([](const LightKind& k) { return k.rough > 0; }));
   const auto rough = [](const LightKind& k) { return int(k.rough); };
   const auto bounces = [](const LightKind& k) { return k.bounces(); };
-  list.push_back(by_parameter("scattered", rough, false));
-  list.push_back(by_parameter("direct-and-scattered", rough, true));
-  list.push_back(by_parameter("bounce", bounces, false));
-  list.push_back(by_parameter("direct-and-bounce", bounces, true));
-  const auto part = [&](const char* name, const auto& holds) {
+  const auto at_glass = [](const LightKind& k) { return int(k.glass); };
+  list.push_back(by_parameter(scattering, "scattered", rough, false));
+  list.push_back(by_parameter(scattering, "direct-and-scattered", rough, true));
+  list.push_back(by_parameter(lengths, "bounce", bounces, false));
+  list.push_back(by_parameter(lengths, "direct-and-bounce", bounces, true));
+  if (back_.truth.glass) {
+    list.push_back(by_parameter(specular, "glass-step", at_glass, false));
+  }
+  const auto part = [&](Cause page, const char* name, const auto& holds) {
     const BlockColors some = back_.sum(holds);
-    add({ModelKind::mistake, name, "", combined(back_.all, -1, some), {some}});
+    add({ModelKind::mistake, page, name, "", combined(back_.all, -1, some), {some}});
   };
-  part("first-direct", [](const LightKind& k) { return !k.hit && k.rough == 0; });
-  part("indirect", [](const LightKind& k) { return k.rough > 0; });
-  part("mirror", [](const LightKind& k) { return k.mirror > 0; });
-  part("glass", [](const LightKind& k) { return k.glass > 0; });
-  part("caustics", [](const LightKind& k) { return k.hit && k.rough > 0; });
+  part(lamps, "first-direct", [](const LightKind& k) { return !k.hit && k.rough == 0; });
+  part(scattering, "indirect", [](const LightKind& k) { return k.rough > 0; });
+  part(specular, "mirror", [](const LightKind& k) { return k.mirror > 0; });
+  part(specular, "glass", [](const LightKind& k) { return k.glass > 0; });
+  if (back_.truth.glossy) {
+    const ChangedPicture& without_lobe =
+        back_.truth.changes[static_cast<std::size_t>(Change::glossy_missing)];
+    const BlockColors dull =
+        combined(combined(back_.lamp, 1, without_lobe.sampled), 1, without_lobe.hit);
+    add({ModelKind::mistake, scattering, "glossy-lobe", "", dull, {combined(back_.all, -1, dull)}});
+  }
+  part(lengths, "caustics", [](const LightKind& k) { return k.hit && k.rough > 0; });
   for (int n = 0; n <= 6; ++n) {
-    without(n == 0 ? "no-reflected-light" : "depth",
+    without(lengths, n == 0 ? "no-reflected-light" : "depth",
             n == 0   ? "no light is reflected, only lamps are visible: paths end at the first "
                        "surface, or all shadow rays hit the lamp or their own surface"
             : n == 1 ? "only light of one bounce is there: indirect light is missing"
@@ -221,54 +347,91 @@ std::vector<PathModel> ModelSearch::models() const {
             [n](const LightKind& k) { return k.bounces() + (k.hit ? 0 : 1) > n; });
   }
   for (int n = 1; n <= 5; ++n) {
-    without("depth",
+    without(lengths, "depth",
             n == 1 ? std::string("indirect light is missing: no scattered directions")
                    : fmt::format("paths end after {} diffuse or glossy bounces", n),
             [n](const LightKind& k) { return k.rough + (k.hit ? 0 : 1) > n; });
   }
-  without("emission-after-specular", "lamps that are hit after a mirror or glass do not count",
+  without(lengths, "emission-after-specular",
+          "lamps that are hit after a mirror or glass do not count",
           [](const LightKind& k) { return k.hit && k.bounces() > 0; });
-  without("emission-after-specular", "lamps that are hit after a mirror do not count",
+  without(lengths, "emission-after-specular", "lamps that are hit after a mirror do not count",
           [](const LightKind& k) { return k.hit && k.mirror > 0; });
-  without("emission-after-specular", "lamps that are hit after glass do not count",
+  without(lengths, "emission-after-specular", "lamps that are hit after glass do not count",
           [](const LightKind& k) { return k.hit && k.glass > 0; });
-  without("caustics",
+  without(lengths, "caustics",
           "caustics are missing: lamps that are hit by glass or a mirror after a "
           "diffuse or glossy surface do not count",
           [](const LightKind& k) { return k.hit && k.rough > 0; });
-  without("mirror", "mirrors reflect nothing", [](const LightKind& k) { return k.mirror > 0; });
-  without("glass", "light after glass is missing", [](const LightKind& k) { return k.glass > 0; });
+  without(specular, "mirror", "mirrors reflect nothing",
+          [](const LightKind& k) { return k.mirror > 0; });
+  without(specular, "glass", "light after glass is missing",
+          [](const LightKind& k) { return k.glass > 0; });
+  without(specular, "mirror", "mirrors and glass are black",
+          [](const LightKind& k) { return k.mirror + k.glass > 0; });
+  const auto beyond_truth = [&](const BlockColors& noise) {
+    BlockColors rest = shrunk(noise, back_.truth.columns);
+    for (std::size_t b = 0; b < rest.size(); ++b) {
+      rest[b] = glm::max(rest[b] - back_.truth_noise[b], Color(0));
+    }
+    return rest;
+  };
   for (const ChangeRow& row : change_rows) {
     const ChangedPicture& changed = back_.truth.changes[static_cast<std::size_t>(row.change)];
     const BlockColors hits = combined(back_.lamp, 1, changed.hit);
-    add({row.kind, row.name, row.what, combined(hits, 1, changed.sampled), {}});
+    const BlockColors noise = beyond_truth(changed.noise);
+    add({row.kind,
+         row.page,
+         row.name,
+         row.what,
+         combined(hits, 1, changed.sampled),
+         {},
+         1,
+         0,
+         1,
+         noise});
     if (row.change == Change::first_lamp || row.change == Change::last_lamp) {
       const auto count = static_cast<double>(back_.truth.lamp_areas.size());
-      add({row.kind, row.name, row.what, combined(hits, count, changed.sampled), {}});
+      add({row.kind,
+           row.page,
+           row.name,
+           row.what,
+           combined(hits, count, changed.sampled),
+           {},
+           1,
+           0,
+           1,
+           noise});
     } else {
-      add({ModelKind::mistake, row.name, row.what, hits, {changed.sampled}, 1, 0, 2});
+      add({ModelKind::mistake,
+           row.page,
+           row.name,
+           row.what,
+           hits,
+           {changed.sampled},
+           1,
+           0,
+           2,
+           noise});
     }
   }
+  constexpr std::array variant_rows{
+      VariantRow{Variant::two_sided_lamps, ModelKind::convention, Cause::light_samples, "two-sided",
+                 "lamps shine to both sides"},
+      VariantRow{Variant::inverted_index, ModelKind::mistake, Cause::specular_paths, "refraction",
+                 "the ratio of the indices of refraction is inverted"},
+      VariantRow{Variant::flat_normals, ModelKind::mistake, Cause::normals, "flat-normals",
+                 "normals are those of the triangles, not interpolated"}};
   for (const VariantPicture& variant : back_.truth.variants) {
-    switch (variant.variant) {
-      case Variant::two_sided_lamps:
-        add({ModelKind::convention, "two-sided", "lamps shine to both sides", variant.picture, {}});
-        break;
-      case Variant::inverted_index:
-        add({ModelKind::mistake,
-             "refraction",
-             "the ratio of the indices of refraction is inverted",
-             variant.picture,
-             {}});
-        break;
-      case Variant::flat_normals:
-        add({ModelKind::mistake,
-             "flat-normals",
-             "normals are those of the triangles, not interpolated",
-             variant.picture,
-             {}});
-        break;
+    const VariantRow& row = variant_rows[static_cast<std::size_t>(variant.variant)];
+    // Only paths that the variant changes have its noise.
+    BlockColors noise =
+        combined(back_.zero, back_.truth.samples / variant.samples, back_.truth_noise);
+    for (std::size_t b = 0; b < noise.size(); ++b) {
+      const double off = std::abs(luminance(variant.picture[b] - back_.all[b]));
+      noise[b] *= std::min(1.0, off / std::max(1e-30, luminance(back_.all[b])));
     }
+    add({row.kind, row.page, row.name, row.what, variant.picture, {}, 1, 0, 1, noise});
   }
   return list;
 }

@@ -2,8 +2,10 @@
 // Pictures that known mistakes and other conventions would give, fitted to the one under test.
 // Internal to noise.
 
+#include "scenefile/grade/causes.h"
 #include "scenefile/noise/block_means.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,7 @@ enum class ModelKind : std::uint8_t { right, mistake, convention };
 /// A picture that may explain the one under test: fixed + factors * free.
 struct PathModel {
   ModelKind kind = ModelKind::mistake;
+  Cause page = Cause::scattering;
   std::string name;
   std::string what;
   BlockColors fixed;
@@ -21,14 +24,20 @@ struct PathModel {
   double parameter = 1;  ///< found by search
   int parameters = 0;    // how many of those
   int edits = 1;
+  BlockColors noise = {};  ///< variance beyond that of the truth; of the free part, for factor 1
   BlockFit fit = {};
-  double chi2 = 0;  ///< by the cautious weights
+  double chi2 = 0;        ///< by the cautious weights, with the noise of the model
+  double plain_chi2 = 0;  ///< without that noise
+  double deviance = 0;    // chi2, and what the noise costs: -2 log(likelihood) up to a constant
 
   double factor() const { return fit.factors.empty() ? 1 : fit.factors.front(); }
+  const PathModel* first = nullptr;  ///< of a pair: its parts, which must outlive it
+  const PathModel* second = nullptr;
+
   /// Two mistakes, unless one of them has both effects.
   bool two_mistakes() const { return edits > 1 && parameters == 0; }
   double score() const {
-    return chi2 + 12.0 * (static_cast<double>(free.size()) + parameters + 2 * edits);
+    return deviance + 12.0 * (static_cast<double>(free.size()) + parameters + 2 * edits);
   }
 };
 /// Finds explanations of one linearization of the picture.
@@ -49,12 +58,22 @@ class ModelSearch {
   /// All known mistakes and conventions, solved.
   std::vector<PathModel> models() const;
 
+  /// The best pair of two models, as if each changed the light of a block by its own factor.
+  std::optional<PathModel> pair(const std::vector<PathModel>& singles) const;
+
   /// How much of the step from the right picture to the model the picture makes, in standard
   /// errors.
   double significance(const PathModel& model) const;
 
  private:
-  PathModel by_parameter(const char* name, int (*power)(const LightKind&), bool free_direct) const;
+  /// The picture under test, with weights that know the noise of the model.
+  MeasuredBlocks measured_with(const PathModel& model) const;
+
+  /// The fitted picture.
+  BlockColors picture_of(const PathModel& model) const;
+
+  PathModel by_parameter(Cause page, const char* name, int (*power)(const LightKind&),
+                         bool free_direct) const;
 
   const TruthBlocks& back_;
   const ObservedBlocks& seen_;

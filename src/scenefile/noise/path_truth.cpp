@@ -6,10 +6,10 @@
 #include "scenefile/trace/trace_scene.h"
 
 #include <algorithm>
-#include <atomic>
+#include <bit>
 #include <cmath>
 #include <ctime>
-#include <memory>
+#include <deque>
 #include <numbers>
 
 namespace scenefile {
@@ -20,6 +20,12 @@ using glm::dvec3;
 using std::numbers::pi;
 
 using Weights = std::array<Color, change_count>;
+
+// A pass draws this many samples per pixel. Passes use sequences of samples in turn, whose means
+// are independent: how much they differ is the noise of the truth, which is less than that of
+// random samples.
+constexpr std::uint32_t of_pass = 4;
+constexpr std::uint32_t sequences = 4;
 
 // 0 / 0 is 1: what has no part in a product does not change it.
 Color quotient(const Color& a, const Color& b) {
@@ -127,6 +133,8 @@ void weigh_specular(const PathPoint& point, const BsdfSample& next, Weights& w) 
   at(Change::fresnel_twice) *= share;
   at(Change::no_fresnel) *= reflects ? 0 : 1 / share;
   at(Change::half_fresnel) *= 0.5 / share;
+  at(Change::only_reflection) *= reflects ? 1 / share : 0;
+  at(Change::swapped_fresnel) *= (1 - share) / share;
   const double base = (1 - point.bsdf.ior) / (1 + point.bsdf.ior);
   const double inside = std::sqrt(std::max(0.0, 1 - eta * eta * (1 - cosine * cosine)));
   const double power = std::pow(1 - (point.facing.outside ? cosine : inside), 5);
@@ -148,6 +156,10 @@ void weigh_rough(const PathPoint& point, const dvec3& direction, Weights& w) {
   at(Change::uniform_density) *= times(Color(2), cosine);
   at(Change::cosine_density) /= 2 * cosine;
   at(Change::polar_density) *= 2 / (pi * std::sqrt(std::max(1e-4, 1 - cosine * cosine)));
+  at(Change::y_directions) *= direction.y > 0 ? 1.0 : 0.0;
+  at(Change::z_directions) *= direction.z > 0 ? 1.0 : 0.0;
+  const Color albedo = point.bsdf.diffuse + point.bsdf.glossy;
+  at(Change::color_roulette) *= std::min(1.0, std::max({albedo.x, albedo.y, albedo.z}));
 }
 
 constexpr std::size_t kind_count =
@@ -239,35 +251,52 @@ void add_path(const PathRecord& path, const Lamps& lamps, BlockSums& sums) {
 // Sums over passes.
 struct Totals {
   std::vector<BlockSums> blocks;
-  std::vector<Color> squares;  // of the blocks' sums of each pass
+  std::array<BlockColors, sequences> sums;
+  std::array<std::vector<Weights>, sequences> changed;
   std::vector<Color> pixels;
   std::vector<Color> pixel_squares;
 };
 
-void draw_block(const PathScene& scene, std::uint32_t first, std::uint32_t end, int column, int row,
+void draw_block(const PathScene& scene, std::uint32_t pass, std::size_t block,
                 const PathTruth& truth, Totals& totals, RayCounts& counts) {
-  const std::size_t block = std::size_t(row) * truth.columns + column;
+  const int column = static_cast<int>(block) % truth.columns;
+  const int row = static_cast<int>(block) / truth.columns;
   PathRecord path;
   Color sum(0);
+  BlockSums& sums = totals.blocks[block];
+  Weights& changed = totals.changed[pass % sequences][block];
+  const auto add_changed = [&](double by) {
+    for (std::size_t c = 0; c < change_count; ++c) {
+      changed[c] += by * (sums.sampled[c] + sums.hit[c]);
+    }
+  };
+  add_changed(-1);
   for (int y = row * block_side; y < std::min(truth.height, (row + 1) * block_side); ++y) {
     for (int x = column * block_side; x < std::min(truth.width, (column + 1) * block_side); ++x) {
       const std::size_t pixel = std::size_t(y) * truth.width + x;
-      for (std::uint32_t i = first; i < end; ++i) {
-        const Color light = path_light(scene, x, y, i, counts, &path);
+      for (std::uint32_t i = 0; i < of_pass; ++i) {
+        const Color light = path_light(scene, x, y, pass / sequences * of_pass + i, counts, &path);
         if (!std::isfinite(luminance(light))) {
           continue;
         }
         sum += light;
         totals.pixels[pixel] += light;
         totals.pixel_squares[pixel] += light * light;
-        add_path(path, scene.lamps, totals.blocks[block]);
+        add_path(path, scene.lamps, sums);
       }
     }
   }
-  totals.squares[block] += sum * sum;
+  totals.sums[pass % sequences][block] += sum;
+  add_changed(1);
 }
 
-void set_means(const PathScene& scene, const Totals& totals, int passes, PathTruth& truth) {
+double pixels_of(const PathTruth& truth, std::size_t b) {
+  const int left = static_cast<int>(b) % truth.columns * block_side;
+  const int top = static_cast<int>(b) / truth.columns * block_side;
+  return std::min(block_side, truth.width - left) * std::min(block_side, truth.height - top);
+}
+
+void set_means(const PathScene& scene, const Totals& totals, PathTruth& truth) {
   const double n = truth.samples;
   truth.pixels.resize(totals.pixels.size());
   truth.deviations.resize(totals.pixels.size());
@@ -281,14 +310,11 @@ void set_means(const PathScene& scene, const Totals& totals, int passes, PathTru
   for (ChangedPicture& changed : truth.changes) {
     changed.sampled.resize(truth.blocks());
     changed.hit.resize(truth.blocks());
+    changed.noise.resize(truth.blocks());
   }
   for (std::size_t b = 0; b < truth.blocks(); ++b) {
     const BlockSums& sums = totals.blocks[b];
-    const int left = static_cast<int>(b) % truth.columns * block_side;
-    const int top = static_cast<int>(b) / truth.columns * block_side;
-    const double pixels =
-        std::min(block_side, truth.width - left) * std::min(block_side, truth.height - top);
-    const double all = pixels * n;
+    const double all = pixels_of(truth, b) * n;
     Color sum(0);
     for (std::size_t k = 0; k < kind_count; ++k) {
       if (sums.kinds[k] != Color(0)) {
@@ -298,12 +324,22 @@ void set_means(const PathScene& scene, const Totals& totals, int passes, PathTru
         sum += sums.kinds[k];
       }
     }
-    const Color of_sum = glm::max(
-        Color(0), (totals.squares[b] - sum * sum / double(passes)) * (passes / (passes - 1.0)));
-    truth.noise[b] = of_sum / (all * all);
+    // The variance of a sum of independent ones.
+    const auto variance = [&](const Color& total, const auto& part) {
+      Color squares(0);
+      for (std::size_t i = 0; i < sequences; ++i) {
+        const Color off = part(i) - total / double(sequences);
+        squares += off * off;
+      }
+      return squares * (sequences / (sequences - 1.0)) / (all * all);
+    };
+    truth.noise[b] = variance(sum, [&](std::size_t i) { return totals.sums[i][b]; });
     for (std::size_t c = 0; c < change_count; ++c) {
-      truth.changes[c].sampled[b] = sums.sampled[c] / all;
-      truth.changes[c].hit[b] = sums.hit[c] / all;
+      ChangedPicture& changed = truth.changes[c];
+      changed.sampled[b] = sums.sampled[c] / all;
+      changed.hit[b] = sums.hit[c] / all;
+      changed.noise[b] = variance(sums.sampled[c] + sums.hit[c],
+                                  [&](std::size_t i) { return totals.changed[i][b][c]; });
     }
     truth.glass = truth.glass || sums.glass;
     truth.mirror = truth.mirror || sums.mirror;
@@ -312,6 +348,9 @@ void set_means(const PathScene& scene, const Totals& totals, int passes, PathTru
   truth.lamp_areas.clear();
   for (std::size_t i = 0; i < scene.lamps.size(); ++i) {
     truth.lamp_areas.push_back(scene.lamps.area(i));
+  }
+  if (!scene.lamps.empty()) {
+    truth.lamp_color = scene.lamps.sample(glm::dvec2(0.5)).emission;
   }
 }
 
@@ -328,6 +367,17 @@ RenderOptions as_truth(RenderOptions options) {
   options.layers.clear();
   options.denoise = false;
   return options;
+}
+
+std::deque<PathScene> scenes_of(const TraceScene& traced, const RenderScene& scene,
+                                RenderOptions options) {
+  options = as_truth(std::move(options));
+  std::deque<PathScene> scenes;
+  for (std::uint32_t i = 0; i < sequences; ++i) {
+    scenes.emplace_back(traced, scene, options);
+    ++options.seed;
+  }
+  return scenes;
 }
 
 // The other side of faces that emit light.
@@ -383,35 +433,47 @@ bool change(Variant variant, const PathTruth& truth, RenderScene& scene, Assets&
   return false;
 }
 
-BlockColors draw_picture(const PathScene& scene, const PathTruth& truth, double seconds) {
+// The truth and what the same paths change: only that has the noise of few passes.
+VariantPicture draw_variant(Variant variant, const std::deque<PathScene>& scenes,
+                            const PathTruth& truth, double seconds) {
   BlockColors sums(truth.blocks(), Color(0));
   const std::clock_t start = std::clock();
-  constexpr std::uint32_t of_pass = 4;
-  int passes = 0;
-  do {
+  std::uint32_t passes = 0;
+  const auto add_pass = [&] {
     for_each_task(truth.blocks(), [&](std::size_t block) {
       RayCounts counts;
       const int left = static_cast<int>(block) % truth.columns * block_side;
       const int top = static_cast<int>(block) / truth.columns * block_side;
-      const int right = std::min(truth.width, left + block_side);
-      const int bottom = std::min(truth.height, top + block_side);
-      Color sum(0);
-      for (int y = top; y < bottom; ++y) {
-        for (int x = left; x < right; ++x) {
+      for (int y = top; y < std::min(truth.height, top + block_side); ++y) {
+        for (int x = left; x < std::min(truth.width, left + block_side); ++x) {
           for (std::uint32_t i = 0; i < of_pass; ++i) {
-            const Color light = path_light(scene, x, y, passes * of_pass + i, counts);
-            sum += std::isfinite(luminance(light)) ? light : Color(0);
+            const Color light = path_light(scenes[passes % sequences], x, y,
+                                           passes / sequences * of_pass + i, counts);
+            sums[block] += std::isfinite(luminance(light)) ? light : Color(0);
           }
         }
       }
-      sums[block] += sum / double((right - left) * (bottom - top));
     });
     ++passes;
-  } while (!time_is_over(start, passes, seconds));
-  for (Color& sum : sums) {
-    sum /= double(passes) * of_pass;
+  };
+  std::size_t known = 0;  // of the truth's sums
+  do {
+    for (add_pass(); !std::has_single_bit(passes); add_pass()) {
+    }
+    known = static_cast<std::size_t>(std::countr_zero(passes));
+  } while (known + 1 < truth.first_passes.size() &&
+           !time_is_over(start, static_cast<int>(passes), seconds / 2));
+  VariantPicture result{variant, BlockColors(truth.blocks(), Color(0)), double(passes) * of_pass};
+  BlockColors& picture = result.picture;
+  for (const auto& [kind, light] : truth.kinds) {
+    for (std::size_t b = 0; b < truth.blocks(); ++b) {
+      picture[b] += light[b];
+    }
   }
-  return sums;
+  for (std::size_t b = 0; b < truth.blocks(); ++b) {
+    picture[b] += (sums[b] - truth.first_passes[known][b]) / (result.samples * pixels_of(truth, b));
+  }
+  return result;
 }
 
 }  // namespace
@@ -422,70 +484,80 @@ RenderStatus draw_truth(const TraceScene& traced, const RenderScene& scene,
   if (traced.status() != RenderStatus::complete) {
     return traced.status();
   }
-  const PathScene paths(traced, scene, as_truth(options));
-  truth.width = paths.options.width;
-  truth.height = paths.options.height;
+  const std::deque<PathScene> scenes = scenes_of(traced, scene, options);
+  const PathScene& paths = scenes.front();
+  truth.width = options.width;
+  truth.height = options.height;
   truth.columns = (truth.width + block_side - 1) / block_side;
   truth.rows = (truth.height + block_side - 1) / block_side;
   Totals totals;
   totals.blocks.resize(truth.blocks());
-  totals.squares.resize(truth.blocks());
+  totals.sums.fill(BlockColors(truth.blocks(), Color(0)));
+  totals.changed.fill(std::vector<Weights>(truth.blocks()));
   totals.pixels.resize(std::size_t(truth.width) * truth.height);
   totals.pixel_squares.resize(totals.pixels.size());
   const ThreadLimit limit(options.threads);
-  constexpr std::uint32_t of_pass = 4;
-  constexpr int fewest_passes = 4;
   const std::clock_t start = std::clock();
-  int passes = 0;
-  std::atomic<bool> stopped{false};
-  for (std::uint32_t first = 0; first < std::max(samples, fewest_passes * of_pass);
-       first += of_pass) {
+  std::uint32_t passes = 0;
+  do {
     for_each_task(truth.blocks(), [&](std::size_t block) {
       RayCounts counts;
-      if (!stopped && !paths.tracer.accelerator.overwhelmed()) {
-        draw_block(paths, first, first + of_pass, static_cast<int>(block) % truth.columns,
-                   static_cast<int>(block) / truth.columns, truth, totals, counts);
+      if (!paths.tracer.accelerator.overwhelmed()) {
+        draw_block(scenes[passes % sequences], passes, block, truth, totals, counts);
       }
     });
     if (paths.tracer.accelerator.overwhelmed()) {
       return RenderStatus::limit_reached;
     }
     ++passes;
+    if (std::has_single_bit(passes)) {
+      BlockColors& sum = truth.first_passes.emplace_back(truth.blocks(), Color(0));
+      for (const BlockColors& one : totals.sums) {
+        for (std::size_t b = 0; b < sum.size(); ++b) {
+          sum[b] += one[b];
+        }
+      }
+    }
     const double spent = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    if (progress && !progress(std::min(1.0, std::max(double(first + of_pass) / samples,
+    if (progress && !progress(std::min(1.0, std::max(double(passes * of_pass) / samples,
                                                      seconds > 0 ? spent / seconds : 0)))) {
       return RenderStatus::cancelled;
     }
-    if (passes >= fewest_passes && time_is_over(start, passes, seconds)) {
-      break;
-    }
-  }
+  } while (passes % sequences != 0 ||
+           (passes * of_pass < samples && !time_is_over(start, static_cast<int>(passes), seconds)));
   truth.samples = double(passes) * of_pass;
-  set_means(paths, totals, passes, truth);
+  set_means(paths, totals, truth);
   return RenderStatus::complete;
 }
 
 RenderStatus draw_variants(const RenderScene& scene, const Assets& assets,
                            const RenderOptions& options, double seconds, const Progress& progress,
                            PathTruth& truth) {
-  constexpr std::array all{Variant::two_sided_lamps, Variant::inverted_index,
-                           Variant::flat_normals};
   const ThreadLimit limit(options.threads);
-  for (const Variant variant : all) {
+  struct Changed {
+    Variant variant;
+    RenderScene scene;
+    Assets assets;
+  };
+  std::vector<Changed> list;
+  for (const Variant variant :
+       {Variant::two_sided_lamps, Variant::inverted_index, Variant::flat_normals}) {
+    Changed changed{variant, scene, assets};
+    if (change(variant, truth, changed.scene, changed.assets)) {
+      list.push_back(std::move(changed));
+    }
+  }
+  for (const Changed& changed : list) {
     if (progress && !progress(1)) {
       return RenderStatus::cancelled;
     }
-    RenderScene other = scene;
-    Assets files = assets;
-    if (!change(variant, truth, other, files)) {
-      continue;
-    }
-    const TraceScene traced(other, files, {.threads = options.threads});
+    const TraceScene traced(changed.scene, changed.assets, {.threads = options.threads});
     if (traced.status() != RenderStatus::complete) {
       return traced.status();
     }
-    const PathScene paths(traced, other, as_truth(options));
-    truth.variants.push_back({variant, draw_picture(paths, truth, seconds / all.size())});
+    truth.variants.push_back(draw_variant(changed.variant,
+                                          scenes_of(traced, changed.scene, options), truth,
+                                          seconds / static_cast<double>(list.size())));
   }
   return RenderStatus::complete;
 }

@@ -63,6 +63,9 @@ enum class Change : std::uint8_t {
   uniform_density,
   cosine_density,
   polar_density,
+  y_directions,
+  z_directions,
+  color_roulette,
   corner_points,
   edge_points,
   normalized_points,
@@ -72,6 +75,8 @@ enum class Change : std::uint8_t {
   fresnel_twice,
   no_fresnel,
   half_fresnel,
+  only_reflection,
+  swapped_fresnel,
   no_total_reflection,
   schlick,
   mirror_cosine,
@@ -84,6 +89,7 @@ inline constexpr std::size_t change_count =
 struct ChangedPicture {
   BlockColors sampled;  ///< by light samples
   BlockColors hit;      ///< by paths that hit lamps after a reflection or refraction
+  BlockColors noise;    ///< the variance of both together, measured
 };
 
 /// Changes of the scene, as by another convention or a mistake. Each needs its own paths.
@@ -91,6 +97,7 @@ enum class Variant : std::uint8_t { two_sided_lamps, inverted_index, flat_normal
 struct VariantPicture {
   Variant variant = Variant::two_sided_lamps;
   BlockColors picture;
+  double samples = 0;  ///< per pixel
 };
 
 /// Means; variances are those of means over `samples`.
@@ -104,9 +111,11 @@ struct PathTruth {
   std::vector<Color> deviations;  ///< by pixel: the variance of a single sample
   BlockColors noise;              ///< by block: the variance of the picture's mean, measured
   std::map<LightKind, BlockColors> kinds;
+  std::vector<BlockColors> first_passes;  ///< sums of the first 1, 2, 4, 8, ... passes
   std::array<ChangedPicture, change_count> changes;
   std::vector<VariantPicture> variants;  ///< those that the scene can have
   std::vector<double> lamp_areas;        ///< by triangle
+  Color lamp_color{0};                   ///< emission of one of them
   bool glass = false;                    ///< some path met glass
   bool mirror = false;
   bool glossy = false;
@@ -115,7 +124,7 @@ struct PathTruth {
 };
 
 /// Draws it with the options of mode path until `seconds` of processor time are over, or the
-/// picture has `samples` per pixel. There are at least 4 passes. The status of `cancelled` and
+/// picture has `samples` per pixel, but not before it has 16. The status of `cancelled` and
 /// failed work is that of render(); the truth is then of no use. `traced`: of the scene.
 RenderStatus draw_truth(const TraceScene& traced, const RenderScene& scene,
                         const RenderOptions& options, double seconds, std::uint32_t samples,

@@ -8,12 +8,12 @@ namespace scenefile {
 
 namespace {
 
-using Matrix = std::vector<std::vector<double>>;
+using DenseMatrix = std::vector<std::vector<double>>;
 
 // The inverse of a symmetric positive matrix by Gauss and Jordan; empty if it is singular.
-Matrix inverse_of(Matrix a) {
+DenseMatrix inverse_of(DenseMatrix a) {
   const std::size_t n = a.size();
-  Matrix result(n, std::vector<double>(n));
+  DenseMatrix result(n, std::vector<double>(n));
   std::vector<double> scale(n);
   for (std::size_t i = 0; i < n; ++i) {
     scale[i] = a[i][i] > 0 ? 1 / std::sqrt(a[i][i]) : 1;
@@ -55,7 +55,7 @@ BlockFit fit(const MeasuredBlocks& measured, const BlockColors& fixed,
              std::span<const BlockColors* const> free) {
   const std::size_t n = free.size();
   const std::size_t blocks = measured.mean.size();
-  Matrix normal(n, std::vector<double>(n));
+  DenseMatrix normal(n, std::vector<double>(n));
   std::vector<double> right(n);
   for (std::size_t b = 0; b < blocks; ++b) {
     const Color wr = measured.weight[b] * (measured.mean[b] - fixed[b]);
@@ -73,7 +73,7 @@ BlockFit fit(const MeasuredBlocks& measured, const BlockColors& fixed,
     }
   }
   BlockFit result;
-  const Matrix inverse = inverse_of(normal);
+  const DenseMatrix inverse = inverse_of(normal);
   result.solved = inverse.size() == n;
   result.factors.resize(n);
   result.errors.resize(n);
@@ -82,7 +82,7 @@ BlockFit fit(const MeasuredBlocks& measured, const BlockColors& fixed,
       result.factors[i] += inverse[i][j] * right[j];
     }
   }
-  Matrix meat(n, std::vector<double>(n));
+  DenseMatrix meat(n, std::vector<double>(n));
   std::vector<double> score(n);
   for (std::size_t b = 0; b < blocks; ++b) {
     Color rest = measured.mean[b] - fixed[b];

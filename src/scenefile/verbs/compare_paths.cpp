@@ -54,7 +54,7 @@ RenderStatus draw_truth(const LoadedScene& scene, const RenderOptions& options, 
                         const Progress& progress, PathTruth& truth) {
   const TraceScene traced(scene.ready.scene, scene.assets, {.threads = options.threads});
   constexpr std::uint32_t most_samples = 4096;
-  constexpr double of_variants = 0.25;
+  constexpr double of_variants = 0.3;
   const RenderStatus status =
       draw_truth(traced, scene.ready.scene, options, (1 - of_variants) * seconds, most_samples,
                  progress, truth);

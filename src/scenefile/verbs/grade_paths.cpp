@@ -8,56 +8,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 namespace scenefile {
 
 namespace {
 
-// The page of help for a claim; others are about the scattering of light.
-Cause page_of(std::string_view name) {
-  static constexpr std::array<std::pair<std::string_view, Cause>, 31> pages{
-      {{"vertical-flip", Cause::vertical_flip},
-       {"horizontal-flip", Cause::horizontal_flip},
-       {"swapped-channels", Cause::swapped_channels},
-       {"gamma", Cause::gamma},
-       {"brightness", Cause::brightness},
-       {"flat-normals", Cause::normals},
-       {"visibility", Cause::light_samples},
-       {"self-shadow", Cause::light_samples},
-       {"distance", Cause::light_samples},
-       {"lamp-cosine", Cause::light_samples},
-       {"lamp-area", Cause::light_samples},
-       {"lamp-points", Cause::light_samples},
-       {"lamp-choice", Cause::light_samples},
-       {"lamp-sampling", Cause::light_samples},
-       {"direct-twice", Cause::light_samples},
-       {"direct-factor", Cause::light_samples},
-       {"first-direct-factor", Cause::light_samples},
-       {"depth", Cause::path_length},
-       {"no-reflected-light", Cause::path_length},
-       {"roulette", Cause::path_length},
-       {"emission-after-specular", Cause::path_length},
-       {"caustics", Cause::path_length},
-       {"caustics-factor", Cause::path_length},
-       {"mirror", Cause::specular_paths},
-       {"mirror-factor", Cause::specular_paths},
-       {"mirror-cosine", Cause::specular_paths},
-       {"glass", Cause::specular_paths},
-       {"glass-factor", Cause::specular_paths},
-       {"refraction", Cause::specular_paths},
-       {"fresnel", Cause::specular_paths},
-       {"total-reflection", Cause::specular_paths}}};
-  const auto page =
-      std::find_if(pages.begin(), pages.end(), [&](const auto& row) { return row.first == name; });
-  return page == pages.end() ? Cause::scattering : page->second;
-}
-
 Claim claim_of(const PathClaim& claim) {
-  return {page_of(claim.name), claim.what, claim.evidence, claim.explained};
+  return {claim.page, claim.what, claim.evidence, claim.explained};
 }
 
 Error config_error(const std::string& path, const Diagnostics& diagnostics) {
@@ -102,7 +61,9 @@ Result<std::vector<PathReference>> path_references(const std::string& folder,
     one.options.width = config.width;
     one.options.height = config.height;
     one.options.direct_only = options.direct_only || config.direct_lighting_only;
-    one.options.max_depth = config.path_continuation_prob == 0 ? 1 : options.max_depth;
+    if (config.most_bounces() > 0) {
+      one.options.max_depth = config.most_bounces();
+    }
   }
   if (!errors.empty()) {
     return errors.front();

@@ -111,11 +111,10 @@ std::vector<std::string> path_words(const CourseConfig& config) {
   if (config.direct_lighting_only) {
     words.emplace_back("--direct-only");
   }
-  // Paths that never go on see direct light. Other probabilities only affect the noise, and those
-  // near 1 only the time that it takes.
+  // Probabilities only affect the noise, and those near 1 only the time that it takes.
   words.push_back(
-      config.path_continuation_prob == 0
-          ? "--max-depth=1"
+      config.most_bounces() > 0
+          ? fmt::format("--max-depth={}", config.most_bounces())
           : fmt::format("--continue={}", std::clamp(config.path_continuation_prob, 0.01F, 0.99F)));
   return words;
 }

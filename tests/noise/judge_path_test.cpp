@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace scenefile {
@@ -33,12 +34,18 @@ struct Judge : ::testing::Test {
   Room room = plain_room();
   RenderOptions options = path_options(64, 64, 32);
   TraceScene traced{room.scene, room.assets};
-  PathTruth truth;
+  PathTruth truth = drawn_once(*this);
 
-  Judge() {
-    RenderOptions other = options;
-    other.seed = 99;
-    EXPECT_EQ(draw_truth(traced, room.scene, other, 0, 48, {}, truth), RenderStatus::complete);
+  static const PathTruth& drawn_once(const Judge& test) {
+    static const PathTruth truth = [&] {
+      PathTruth drawn;
+      RenderOptions other = test.options;
+      other.seed = 99;
+      EXPECT_EQ(draw_truth(test.traced, test.room.scene, other, 0, 48, {}, drawn),
+                RenderStatus::complete);
+      return drawn;
+    }();
+    return truth;
   }
 
   DecodedPicture drawn() const {
@@ -63,6 +70,16 @@ struct Judge : ::testing::Test {
         }
       }
     }
+    return picture;
+  }
+  // Values of 8 bits, by the course's curve, or the power 1 / `gamma` of clamped values.
+  static DecodedPicture shown(DecodedPicture picture, double gamma = 0) {
+    for (float& value : picture.linear.rgb) {
+      value = gamma > 0 ? static_cast<float>(std::pow(std::min(value, 1.0f), 1 / gamma)) : value;
+    }
+    const Image image = gamma > 0 ? picture.linear : tone_mapped(picture.linear, Tone::course, 0);
+    picture.texture = quantize(image, Rounding::nearest);
+    picture.linear = Image();
     return picture;
   }
   static std::string names(const std::vector<PathClaim>& claims) {
@@ -186,12 +203,39 @@ TEST_F(Judge, SaysWhenItIsTooNoisy) {
 }
 
 TEST_F(Judge, ReadsToneMappedPictures) {
-  DecodedPicture picture = drawn();
-  picture.texture = quantize(tone_mapped(picture.linear, Tone::course, 0), Rounding::nearest);
-  picture.linear = Image();
-  const PathVerdict verdict = judge_path(truth, picture);
+  const PathVerdict verdict = judge_path(truth, shown(drawn()));
   EXPECT_TRUE(verdict.right);
   EXPECT_EQ(verdict.curve, "the tone curve of the course");
+}
+
+TEST_F(Judge, ReadsToneMappedPicturesThatAreWrong) {
+  const PathVerdict distance = judge_path(truth, shown(with_distance(drawn())));
+  EXPECT_EQ(distance.curve, "the tone curve of the course");
+  EXPECT_EQ(names(distance.causes), "distance ");
+  EXPECT_EQ(names(judge_path(truth, shown(drawn(), 2.2)).causes), "");
+  EXPECT_EQ(names(judge_path(truth, shown(drawn(), 4.4)).causes), "gamma ");
+  options.max_depth = 1;
+  const PathVerdict direct = judge_path(truth, shown(drawn(), 2.2));
+  EXPECT_EQ(direct.curve, "gamma 2.2");
+  EXPECT_EQ(names(direct.causes), "depth ");
+}
+
+TEST_F(Judge, FindsOtherRowsInToneMappedPictures) {
+  DecodedPicture picture = shown(drawn());
+  for (int y = 0; y < 32; ++y) {
+    std::swap_ranges(&picture.texture.rgb[std::size_t(3) * 64 * y],
+                     &picture.texture.rgb[std::size_t(3) * 64 * (y + 1)],
+                     &picture.texture.rgb[std::size_t(3) * 64 * (63 - y)]);
+  }
+  EXPECT_EQ(names(judge_path(truth, picture).causes), "vertical-flip ");
+}
+
+TEST_F(Judge, NamesPicturesWithoutReflectedLight) {
+  DecodedPicture picture = drawn();
+  for (float& value : picture.linear.rgb) {
+    value = value < 5 ? 0 : value;
+  }
+  EXPECT_EQ(names(judge_path(truth, picture).causes), "no-reflected-light ");
 }
 
 TEST_F(Judge, ReadsToneMappedPicturesWithoutLamps) {
@@ -200,10 +244,7 @@ TEST_F(Judge, ReadsToneMappedPicturesWithoutLamps) {
   RenderOptions other = options;
   other.seed = 7;
   ASSERT_EQ(draw_truth(traced, room.scene, other, 0, 32, {}, truth), RenderStatus::complete);
-  DecodedPicture picture = drawn();
-  picture.texture = quantize(tone_mapped(picture.linear, Tone::course, 0), Rounding::nearest);
-  picture.linear = Image();
-  const PathVerdict verdict = judge_path(truth, picture);
+  const PathVerdict verdict = judge_path(truth, shown(drawn()));
   EXPECT_TRUE(verdict.right) << verdict.curve;
   EXPECT_EQ(names(verdict.causes) + names(verdict.partial), "");
 }
@@ -211,13 +252,20 @@ TEST_F(Judge, ReadsToneMappedPicturesWithoutLamps) {
 TEST(Linearize, UndoesTheCoursesCurve) {
   Image image(2, 1);
   image.rgb = {0.2f, 0.4f, 0.1f, 9, 7, 5};
-  DecodedPicture picture;
-  picture.texture = quantize(tone_mapped(image, Tone::course, 0), Rounding::nearest);
-  const LinearPicture found = linearized(picture, {ToneCurve::course, brightest(image.rgb, 0)});
-  for (int c = 0; c < 3; ++c) {
-    EXPECT_NEAR(found.pixels[0][c], image.rgb[c], 3.5 * std::sqrt(found.rounding[0][c]));
+  const Image mapped = tone_mapped(image, Tone::course, 0);
+  for (const ToneCurve curve : {ToneCurve::course, ToneCurve::compressed}) {
+    Image values = mapped;
+    for (float& value : values.rgb) {
+      value = curve == ToneCurve::course ? value : value * value;  // without gamma
+    }
+    DecodedPicture picture;
+    picture.texture = quantize(values, Rounding::nearest);
+    const LinearPicture found = linearized(picture, {curve, brightest(image.rgb, 0)});
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_NEAR(found.pixels[0][c], image.rgb[c], 3.5 * std::sqrt(found.rounding[0][c]));
+    }
+    EXPECT_FALSE(found.usable[1]);
   }
-  EXPECT_FALSE(found.usable[1]);
 }
 
 }  // namespace

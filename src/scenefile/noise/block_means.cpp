@@ -112,9 +112,11 @@ ObservedBlocks observe(const TruthBlocks& back, const LinearPicture& picture) {
     double count = 0;
     Color sum(0);
     Color truth_sum(0);
+    Color unknown(0);  // taken as the truth's, but not below what is clipped
     for_each_pixel(truth, b, [&](int, int, std::size_t at) {
       if (picture.usable[at] == 0) {
         ++unusable;
+        unknown += glm::max(truth.pixels[at], picture.pixels[at]);
         return;
       }
       ++count;
@@ -127,7 +129,7 @@ ObservedBlocks observe(const TruthBlocks& back, const LinearPicture& picture) {
       bad[b] = 1;
       continue;
     }
-    m.mean[b] = sum / count;
+    m.mean[b] = (sum + unknown) / (count + unusable);
     rounding[b] /= count * count;
     // How much pixels vary beyond the pattern of the truth.
     const double scale = luminance(truth_sum) > 0 ? luminance(sum) / luminance(truth_sum) : 1;
@@ -164,13 +166,17 @@ ObservedBlocks observe(const TruthBlocks& back, const LinearPicture& picture) {
     for (int c = 0; c < 3; ++c) {
       const double v = std::max(noise[c] + others[c], floor);
       m.weight[b][c] = v > 0 ? 1 / v : 0;
-      result.cautious[b][c] = v > 0 ? 1 / std::max(more * noise[c] + others[c], floor) : 0;
+      const double most = std::max(more * noise[c] + others[c], floor);
+      result.cautious[b][c] = v > 0 ? 1 / most : 0;
+      result.log_variance += rounding[b][c] > 0 ? std::log(most / rounding[b][c]) / 3 : 0;
     }
     ++result.tested;
-    if (luminance(m.mean[b]) > 0) {
-      relative.push_back(std::sqrt(luminance(more * noise)) / luminance(m.mean[b]));
+    const double light = std::max(luminance(m.mean[b]), luminance(back.all[b]));
+    if (light > 0) {
+      relative.push_back(std::sqrt(luminance(more * noise)) / light);
     }
   }
+  result.log_variance /= static_cast<double>(std::max<std::size_t>(1, result.tested));
   result.relative_noise = median_of(std::move(relative));
   return result;
 }

@@ -93,6 +93,9 @@ struct ObservedBlocks {
   BlockColors cautious;       // weights that also know how much the picture itself varies
   double per_sample = 1;      // variance of a pixel, relative to that of a sample of the truth
   double relative_noise = 0;  ///< median of the blocks: standard error / mean
+  /// Of values of 8 bits: the mean logarithm of variance / variance by rounding. It compares the
+  /// fits of several tone curves, as it has the units of the file.
+  double log_variance = 0;
   std::size_t clipped = 0;
   std::size_t tested = 0;
 };

@@ -1,6 +1,7 @@
 #include "scenefile/noise/judge_path.h"
 
 #include "scenefile/noise/path_meanings.h"
+#include "scenefile/noise/picture_readings.h"
 
 #include <fmt/format.h>
 
@@ -18,21 +19,6 @@ constexpr double too_much_noise = 0.25;
 
 std::string factor_text(double factor, double error) {
   return fmt::format("factor {:.3f} +- {:.3f}", factor, error);
-}
-
-// Pixels that show nothing but lamps.
-std::vector<std::size_t> lamp_pixels(const TruthBlocks& back) {
-  const PathTruth& t = back.truth;
-  std::vector<std::size_t> pixels;
-  for (std::size_t at = 0; at < t.pixels.size(); ++at) {
-    const std::size_t block = at / t.width / block_side * t.columns + at % t.width / block_side;
-    const double bright = luminance(t.pixels[at]);
-    if (luminance(back.lamp[block]) > 0 && bright > 0 &&
-        luminance(t.deviations[at]) <= 2.5e-3 * bright * bright) {
-      pixels.push_back(at);
-    }
-  }
-  return pixels;
 }
 
 // The factor of lamps that the camera sees.
@@ -185,123 +171,6 @@ void count_fireflies(const TruthBlocks& back, const LinearPicture& picture, Path
   verdict.firefly_energy = energy > 0 ? bright / energy : 0;
 }
 
-// An exponent near those of 2.2 or 2, applied twice.
-constexpr double gamma_twice = 4.4;
-
-// One way to linearize the picture, and what the search found then.
-struct Reading {
-  ScreenCurve screen;
-  bool any_exposure = false;
-  LinearPicture picture;
-  ObservedBlocks seen;
-  PathModel right;
-  std::vector<PathModel> models;  // the best first
-
-  double values() const { return 3.0 * static_cast<double>(std::max<std::size_t>(1, seen.tested)); }
-  // By the right picture or a mistake, which needs more evidence.
-  double left() const {
-    const double mistake = models.empty() ? 1e300 : 2 * models.front().chi2;
-    return std::min(right.chi2, mistake) / values();
-  }
-};
-
-// Without models.
-Reading read_as(const TruthBlocks& back, const DecodedPicture& mine, const ScreenCurve& screen,
-                bool any_exposure) {
-  Reading reading;
-  reading.screen = screen;
-  reading.any_exposure = any_exposure;
-  reading.picture = linearized(mine, screen);
-  reading.seen = observe(back, reading.picture);
-  reading.right = ModelSearch(back, reading.seen, any_exposure).right();
-  return reading;
-}
-
-void add_models(const TruthBlocks& back, Reading& reading) {
-  reading.models = ModelSearch(back, reading.seen, reading.any_exposure).models();
-  std::sort(reading.models.begin(), reading.models.end(),
-            [](const PathModel& a, const PathModel& b) { return a.score() < b.score(); });
-}
-
-// The white of the curve `course` for which visible lamps have their emission.
-std::optional<double> white_by_lamps(const TruthBlocks& back, const DecodedPicture& mine) {
-  std::vector<double> whites;
-  for (const std::size_t at : lamp_pixels(back)) {
-    const double bright = luminance(back.truth.pixels[at]);
-    const std::uint8_t* rgb = &mine.texture.rgb[3 * at];
-    const Color shown = glm::dvec3(rgb[0], rgb[1], rgb[2]) / 255.0;
-    const double value = luminance(shown * shown);
-    // value = L (1 + L / w^2) / (1 + L)
-    const double square = bright * bright / std::max(1e-9, value * (1 + bright) - bright);
-    whites.push_back(value >= 0.99 ? bright : std::sqrt(std::clamp(square, bright * bright, 1e12)));
-  }
-  return whites.size() < 4 ? std::nullopt : std::optional<double>(median_of(whites));
-}
-
-// The white for which the picture is most like the truth, or the truth with a factor.
-double fitted_white(const TruthBlocks& back, const DecodedPicture& mine, bool any_exposure) {
-  double best = 1;
-  double least = 1e300;
-  for (double white = 0.05; white < 2000; white *= 1.2) {
-    const ObservedBlocks seen = observe(back, linearized(mine, {ToneCurve::course, white}));
-    const ModelSearch search(back, seen, any_exposure);
-    PathModel scaled{
-        ModelKind::mistake, Cause::light_samples, "direct", "", combined(back.lamp, 1, back.hit),
-        {back.sampled}};
-    search.solve(scaled);
-    const double chi2 =
-        std::min(search.right().chi2, 2 * scaled.chi2) / static_cast<double>(seen.tested + 1);
-    if (chi2 < least) {
-      least = chi2;
-      best = white;
-    }
-  }
-  return best;
-}
-
-// The likeliest first. `as_shown`: floats, too, may be values for the screen.
-std::vector<Reading> readings_of(const TruthBlocks& back, const DecodedPicture& mine,
-                                 bool as_shown) {
-  std::vector<Reading> list;
-  if (mine.is_linear() && !as_shown) {
-    list.push_back(read_as(back, mine, {}, false));
-    add_models(back, list.front());
-    return list;
-  }
-  const double white = white_by_lamps(back, mine).value_or(0);
-  const auto add = [&](const ScreenCurve& screen, bool any_exposure) {
-    Reading reading = read_as(back, mine, screen, any_exposure);
-    if (3 * reading.seen.tested > back.truth.blocks()) {
-      if (!as_shown) {
-        add_models(back, reading);
-      }
-      list.push_back(std::move(reading));
-    }
-  };
-  constexpr std::array others{ScreenCurve{ToneCurve::reinhard},
-                              ScreenCurve{ToneCurve::luminance},
-                              ScreenCurve{ToneCurve::srgb},
-                              ScreenCurve{ToneCurve::clamp},
-                              ScreenCurve{ToneCurve::power, 2.2},
-                              ScreenCurve{ToneCurve::power, 2},
-                              ScreenCurve{ToneCurve::power, gamma_twice}};
-  for (const bool any_exposure : {false, true}) {
-    add({ToneCurve::course, white > 0 ? white : fitted_white(back, mine, any_exposure)},
-        any_exposure);
-    for (const ScreenCurve& screen : others) {
-      add(screen, any_exposure);
-    }
-  }
-  // A fitted exposure must explain clearly more, and other curves than the course's.
-  const auto cost = [](const Reading& r) {
-    return (r.left() + 0.2) * (r.any_exposure ? 1.3 : 1) *
-           (r.screen.curve == ToneCurve::course ? 1 : 1.3);
-  };
-  std::stable_sort(list.begin(), list.end(),
-                   [&](const Reading& a, const Reading& b) { return cost(a) < cost(b); });
-  return list;
-}
-
 // The mean change of the light where the model changes it by more than 2 %.
 double effect_of(const TruthBlocks& back, const PathModel& model) {
   double changed = 0;
@@ -319,14 +188,6 @@ double effect_of(const TruthBlocks& back, const PathModel& model) {
     }
   }
   return light > 0 ? changed / light : 0;
-}
-
-// Whether the model leaves little of the difference beyond noise. What its own noise could explain
-// does not count.
-bool is_complete(const PathModel& m, double before, double explained, double values) {
-  const double plain = m.plain_chi2 / before;
-  return (explained >= 0.85 && m.chi2 < 3 * values && plain < 0.4) ||
-         (explained >= 0.985 && plain < 0.05 && !m.two_mistakes());
 }
 
 const char* kind_of(Cause page) {
@@ -352,12 +213,9 @@ void explain(const TruthBlocks& back, const Reading& reading, PathVerdict& verdi
   }
   const std::optional<double> whole =
       reading.any_exposure ? std::nullopt : lamp_factor(back, reading.picture);
-  const auto explained = [&](const PathModel& m) {
-    return before > n ? std::clamp((before - std::max(m.chi2, n)) / (before - n), 0.0, 1.0) : 0;
-  };
   const auto evidence = [&](const PathModel& m) {
     return fmt::format("explains {:.0f} % of the difference beyond noise; {:.0f} standard errors",
-                       100 * explained(m), std::abs(search.significance(m)));
+                       100 * reading.explained(m), std::abs(search.significance(m)));
   };
   const auto counts = [&](const PathModel& m) {
     return std::abs(search.significance(m)) >= claim_errors && effect_of(back, m) >= least_effect;
@@ -367,34 +225,41 @@ void explain(const TruthBlocks& back, const Reading& reading, PathVerdict& verdi
       return c.what == name.what || c.name == name.name;
     };
     if (std::none_of(list.begin(), list.end(), same)) {
-      list.push_back({name.page, name.name, name.what, evidence(m), explained(m)});
+      list.push_back({name.page, name.name, name.what, evidence(m), reading.explained(m)});
     }
   };
   // A mistake that explains as much as free numbers is more likely.
-  const double tie = std::max(25.0, 0.004 * (before - reading.models.front().chi2));
+  const double tie = reading.tie();
   const double most = reading.models.front().deviance + tie;
   const auto is_known = [&](const PathModel& m) {
     bool general = false;
     static_cast<void>(meanings(back.truth, m, whole, general));
-    return !general && m.edits == 1 && m.deviance < most && is_complete(m, before, explained(m), n);
+    return !general && m.edits == 1 && m.deviance < most && reading.is_complete(m);
   };
   const auto known = std::find_if(reading.models.begin(), reading.models.end(), is_known);
   const PathModel& best = known == reading.models.end() ? reading.models.front() : *known;
   verdict.chi2_per_value = best.chi2 / n;
-  const bool complete = is_complete(best, before, explained(best), n);
-  const std::optional<PathModel> two =
-      complete && best.edits == 1 ? std::nullopt : search.pair(reading.models);
-  if (two && is_complete(*two, before, explained(*two), n) && counts(*two) &&
-      (!complete || two->score() < best.score())) {
+  const bool complete = reading.is_complete(best);
+  const std::optional<PathModel>& two = reading.two;
+  if (two && reading.is_complete(*two) && counts(*two) &&
+      (!complete || (best.edits > 1 && best.chi2 > 2 * n && two->score() < best.score()))) {
+    PathModel fitted = *two->first;
+    if (!fitted.free.empty()) {
+      fitted.fit = two->fit;
+    }
     bool general = false;
-    const Meaning a = meanings(back.truth, *two->first, whole, general).front();
-    const Meaning b = meanings(back.truth, *two->second, whole, general).front();
-    const bool first_wrong = two->first->kind != ModelKind::convention;
+    bool ignored = false;
+    const Meaning a = meanings(back.truth, fitted, whole, general).front();
+    const Meaning b = meanings(back.truth, *two->second, whole, ignored).front();
+    const bool first_wrong = fitted.kind != ModelKind::convention;
     const bool second_wrong = two->second->kind != ModelKind::convention;
     if (first_wrong && second_wrong) {
       claim(verdict.partial, *two, {a.page, a.name, a.what + "; and " + b.what});
     } else {
-      claim(first_wrong ? verdict.causes : verdict.conventions, *two, a);
+      claim(!first_wrong                       ? verdict.conventions
+            : general || fitted.two_mistakes() ? verdict.partial
+                                               : verdict.causes,
+            *two, a);
       claim(second_wrong ? verdict.causes : verdict.conventions, *two, b);
     }
     return;
@@ -433,7 +298,8 @@ void explain(const TruthBlocks& back, const Reading& reading, PathVerdict& verdi
   }
   // Mistakes of one kind that the noise does not tell apart.
   const auto near = [&](const PathModel& m) {
-    return m.kind == ModelKind::mistake && m.deviance < most && explained(m) >= 0.85;
+    return m.kind == ModelKind::mistake && m.deviance < most && m.chi2 < 3 * n &&
+           reading.explained(m) >= 0.85;
   };
   const PathModel& first = reading.models.front();
   if (near(first) && counts(first) &&
@@ -448,18 +314,20 @@ void explain(const TruthBlocks& back, const Reading& reading, PathVerdict& verdi
   for (const PathModel& m : reading.models) {
     bool general = false;
     const std::vector<Meaning> names = meanings(back.truth, m, whole, general);
-    if (general && m.free.size() <= 1 && explained(m) >= 0.7 && counts(m)) {
+    const double part = reading.explained(m);
+    if (general && m.free.size() <= 1 && counts(m) &&
+        (part >= 0.98 || (part >= 0.7 && m.chi2 < 3 * n))) {
       claim(verdict.partial, m, names.front());
       return;
     }
   }
 }
 
-// Kinds of light that have another factor, if that explains at least half of the difference.
+// Kinds of light that have another factor, if that explains most of the difference.
 void name_places(const Reading& reading, double chi2, PathVerdict& verdict) {
   const double n = reading.values();
   const double before = reading.right.fit.chi2;
-  if (before - chi2 < 0.5 * (before - std::min(n, before))) {
+  if (before - chi2 < 0.8 * (before - std::min(n, before))) {
     return;
   }
   const PathPlace* worst = nullptr;
@@ -509,23 +377,26 @@ bool explains(const TruthBlocks& back, const Reading& before, const Reading& oth
 }
 
 // Mistakes in what is done with the picture, not in the light.
-void explain_file(const TruthBlocks& back, const DecodedPicture& mine, const Reading& reading,
-                  PathVerdict& verdict) {
+void explain_file(const TruthBlocks& back, const DecodedPicture& mine,
+                  const std::vector<Reading>& readings, PathVerdict& verdict) {
+  const Reading& reading = readings.front();
   constexpr std::array<std::tuple<Cause, const char*, const char*>, 3> ways{
       {{Cause::vertical_flip, "vertical-flip", "the picture is upside down"},
        {Cause::horizontal_flip, "horizontal-flip", "the picture is mirrored"},
        {Cause::swapped_channels, "swapped-channels", "red and blue are swapped"}}};
-  for (int how = 0; how < 3; ++how) {
-    if (explains(back, reading,
-                 read_as(back, rearranged(mine, back.truth, how), reading.screen,
-                         reading.any_exposure))) {
+  for (std::size_t how = 0; how < ways.size(); ++how) {
+    const DecodedPicture other = rearranged(mine, back.truth, static_cast<int>(how));
+    const auto by = [&](const Reading& r) {
+      return explains(back, reading, read_as(back, other, r.screen, r.any_exposure));
+    };
+    if (std::any_of(readings.begin(), readings.end(), by)) {
       const auto& [page, name, what] = ways[how];
       verdict.causes.push_back({page, name, what, "explains the difference", 1});
       return;
     }
   }
   if (mine.is_linear()) {
-    for (const Reading& other : readings_of(back, mine, true)) {
+    for (const Reading& other : readings_as_shown(back, mine)) {
       if (!other.any_exposure && explains(back, reading, other)) {
         verdict.causes.push_back(
             {Cause::gamma, "gamma",
@@ -569,7 +440,7 @@ void name_growth(const TruthBlocks& back, const LinearPicture& picture, PathVerd
 PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
   PathVerdict verdict;
   const TruthBlocks back(truth);
-  std::vector<Reading> readings = readings_of(back, mine, false);
+  const std::vector<Reading> readings = readings_of(back, mine);
   verdict.columns = truth.columns;
   verdict.truth_samples = truth.samples;
   verdict.not_finite = mine.not_finite;
@@ -577,20 +448,24 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
   verdict.errors.resize(truth.blocks());
   verdict.mine.resize(truth.blocks());
   if (readings.empty()) {
-    verdict.too_noisy = true;
-    verdict.notes.push_back(
-        {Cause::brightness, "clipped", "most of the picture is clipped", "", 0});
+    verdict.partial.push_back(
+        {Cause::brightness, "clipped",
+         "most of the picture is brighter than the file can hold, and the truth is not: direct "
+         "light has too large a factor, or light grows from bounce to bounce, as without the "
+         "cosine, 1 / pi or the density of directions",
+         "", 0});
     return verdict;
   }
   const Reading& reading = readings.front();
   verdict.curve = reading.screen.words();
-  verdict.exposure = reading.any_exposure ? reading.right.factor() : 1;
+  verdict.exposure = reading.any_exposure ? reading.right.factor() * reading.exposure : 1;
   verdict.samples = 1 / reading.seen.per_sample;
   verdict.tested = reading.seen.tested;
   verdict.clipped = reading.seen.clipped;
   verdict.critical = critical_value(0.01, reading.values() / 3);
   verdict.chi2_per_value = reading.right.chi2 / reading.values();
   const ModelSearch search(back, reading.seen, reading.any_exposure);
+  const double scale = reading.any_exposure ? reading.right.factor() : 1;
   for (std::size_t b = 0; b < truth.blocks(); ++b) {
     const Color weight = reading.seen.cautious[b];
     if (weight == Color(0)) {
@@ -599,26 +474,33 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
     const Color rest = search.residual(reading.right, b);
     const double variance = luminance(Color(1) / glm::max(weight, Color(1e-300)));
     verdict.significance[b] = luminance(rest) / std::sqrt(variance);
-    verdict.errors[b] = std::sqrt(variance) / verdict.exposure;
-    verdict.mine[b] = reading.seen.measured.mean[b] / verdict.exposure;
+    verdict.errors[b] = std::sqrt(variance) / scale;
+    verdict.mine[b] = reading.seen.measured.mean[b] / scale;
     verdict.largest = std::max(verdict.largest, std::abs(verdict.significance[b]));
   }
   double chi2 = 0;
   verdict.places = places_of(back, reading.seen.measured, chi2);
   add_energy(back, reading.seen.measured, verdict);
   count_fireflies(back, reading.picture, verdict);
-  explain(back, reading, verdict);
+  const std::optional<double> cut =
+      mine.is_linear() ? cut_off(back, reading.picture, reading.seen) : std::nullopt;
   const auto unexplained = [&] {
     return verdict.causes.empty() && verdict.conventions.empty() &&
            verdict.largest > verdict.critical;
   };
-  if (unexplained()) {
-    explain_file(back, mine, reading, verdict);
+  if (!cut) {
+    explain(back, reading, verdict);
   }
-  const std::optional<double> cut = mine.is_linear() && verdict.causes.empty()
-                                        ? cut_off(back, reading.picture, reading.seen)
-                                        : std::nullopt;
-  if (cut) {
+  if (unexplained()) {
+    explain_file(back, mine, readings, verdict);
+  }
+  if (!mine.is_linear() && reading.screen.parameter == gamma_twice && verdict.causes.empty()) {
+    verdict.causes.push_back({Cause::gamma, "gamma",
+                              "gamma is applied twice: values are those of linear light to the "
+                              "power of about 1 / 4.4",
+                              "explains the picture as no other curve", 1});
+  }
+  if (cut && verdict.causes.empty()) {
     verdict.causes.push_back(
         {Cause::overflow, "clamped",
          fmt::format("no value is above {:.3g}: those of samples or pixels are cut off there",

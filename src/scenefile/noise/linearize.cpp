@@ -20,8 +20,9 @@ double uncompressed(double shown, double white) {
 
 Color undone(const Color& v, const ScreenCurve& screen) {
   switch (screen.curve) {
-    case ToneCurve::course: {
-      const Color square = v * v;
+    case ToneCurve::course:
+    case ToneCurve::compressed: {
+      const Color square = screen.curve == ToneCurve::course ? v * v : v;
       const double shown = luminance(square);
       return shown > 0 ? square * (uncompressed(shown, screen.parameter) / shown) : Color(0);
     }
@@ -57,6 +58,8 @@ std::string ScreenCurve::words() const {
       return "linear values";
     case ToneCurve::course:
       return "the tone curve of the course";
+    case ToneCurve::compressed:
+      return "the tone curve of the course without gamma";
     case ToneCurve::reinhard:
       return "the tone curve v / (1 + v) and gamma 2.2";
     case ToneCurve::luminance:

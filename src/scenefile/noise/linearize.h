@@ -9,12 +9,23 @@
 
 namespace scenefile {
 
-/// How a program made 8-bit values. `course`: docs/path.md; `reinhard`: v / (1 + v) of each value,
+/// How a program made 8-bit values. `course`: docs/path.md; `compressed`: the same without gamma;
+/// `reinhard`: v / (1 + v) of each value,
 /// and `luminance`: v / (1 + L), then to the power 1 / 2.2; the others clamp to [0, 1] before the
 /// power or curve.
-enum class ToneCurve : std::uint8_t { linear, course, reinhard, luminance, power, srgb, clamp };
+enum class ToneCurve : std::uint8_t {
+  linear,
+  course,
+  compressed,
+  reinhard,
+  luminance,
+  power,
+  srgb,
+  clamp
+};
 
-/// A curve and its parameter: of `course` the luminance that becomes 1, of `power` the exponent.
+/// A curve and its parameter: of `course` and `compressed` the luminance that becomes 1, of `power`
+/// the exponent.
 struct ScreenCurve {
   ToneCurve curve = ToneCurve::linear;
   double parameter = 1;

@@ -143,10 +143,14 @@ std::vector<Meaning> meanings(const PathTruth& truth, const PathModel& m,
     std::vector<Meaning> found = meanings_of_direct(truth, f, error);
     general = found.empty();
     if (general) {
-      found.push_back(
-          {m.page, "direct-factor",
-           fmt::format(
-               "all light that surfaces reflect has the factor {:.3f}: from direct light on", f)});
+      std::string what = fmt::format(
+          "all light that surfaces reflect has the factor {:.3f}: from direct light on", f);
+      const double twentieths = std::round(20 / f);
+      if (twentieths >= 6 && twentieths < 20 && is_number(f, 0, 20 / twentieths)) {
+        what +=
+            fmt::format(", as if divided by the probability {:.2f} of going on", twentieths / 20);
+      }
+      found.push_back({m.page, "direct-factor", std::move(what)});
     } else if (!whole) {
       found.push_back(
           {Cause::brightness, "brightness", "the brightness of the picture or the lamps"});
@@ -182,6 +186,12 @@ std::vector<Meaning> meanings(const PathTruth& truth, const PathModel& m,
     if (scattered && is_number(f, error, p) &&
         (is_number(p, p_error, pi) || is_number(p, p_error, 1 / pi))) {
       return {{m.page, "pi", p > 1 ? "Kd is not divided by pi" : "Kd is divided twice by pi"}};
+    }
+    if (scattered && is_number(f, error, p) && is_number(p, p_error, 0.5)) {
+      return {
+          {m.page, "pi",
+           "each reflection, that of direct light too, has the factor 1/2, as if Kd were divided "
+           "by 2 pi, not by pi"}};
     }
     general = true;
     std::string what =
@@ -239,6 +249,9 @@ std::vector<Meaning> meanings(const PathTruth& truth, const PathModel& m,
   const auto* const place = std::find_if(places.begin(), places.end(),
                                          [&](const auto& row) { return row.first == m.name; });
   if (place != places.end() && !m.free.empty()) {
+    if (m.name == "first-direct" && std::abs(f) < 0.03) {
+      return {{Cause::light_samples, "direct", factor_words(place->second, f)}};
+    }
     general = true;
     return {{m.page, m.name == "glossy-lobe" ? "glossy" : m.name + "-factor",
              factor_words(place->second, f)}};

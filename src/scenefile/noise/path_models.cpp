@@ -136,7 +136,13 @@ void ModelSearch::solve(PathModel& model) const {
     }
     model.fit = fit(measured_with(model), fixed, columns);
   }
-  if (!model.fit.solved) {  // the scene has none of this light
+  // No mistake takes more light away than there is.
+  bool possible = model.fit.solved;
+  for (std::size_t i = 0; possible && i < model.free.size(); ++i) {
+    possible = model.fit.factors[i] > -0.1;
+  }
+  if (!possible) {  // or the scene has none of this light
+    model.fit.solved = false;
     model.fit.chi2 = model.chi2 = model.plain_chi2 = model.deviance = 1e300;
     return;
   }
@@ -197,37 +203,50 @@ double ModelSearch::significance(const PathModel& model) const {
 
 std::optional<PathModel> ModelSearch::pair(const std::vector<PathModel>& singles) const {
   const BlockColors light = combined(back_.all, -1, back_.lamp);
-  const auto may_be = [&](const PathModel& m) {
+  struct Part {
+    const PathModel* model;
+    BlockColors relative;  // what the light of a block is multiplied by
+  };
+  std::vector<Part> parts;
+  std::vector<const PathModel*> firsts;
+  for (const PathModel& m : singles) {
+    const BlockColors picture = m.fit.solved ? picture_of(m) : back_.all;
     double change = 0;
-    for (const Color& step : combined(picture_of(m), -1, back_.all)) {
+    for (const Color& step : combined(picture, -1, back_.all)) {
       change += std::abs(luminance(step));
     }
-    return m.edits == 1 && m.parameters == 0 && m.fit.solved && m.free.empty() &&
-           change > 0.001 * back_.energy(light);
-  };
-  std::vector<std::pair<const PathModel*, BlockColors>> parts;
-  for (const PathModel& m : singles) {
-    if (may_be(m)) {
-      parts.emplace_back(&m, combined(picture_of(m), -1, back_.lamp));
+    if (m.parameters > 0 || change <= 0.001 * back_.energy(light)) {
+      continue;
+    }
+    if (m.free.empty() && m.edits == 1) {
+      BlockColors relative = combined(picture, -1, back_.lamp);
+      for (std::size_t k = 0; k < relative.size(); ++k) {
+        for (int c = 0; c < 3; ++c) {
+          relative[k][c] = light[k][c] > 0 ? relative[k][c] / light[k][c] : 1;
+        }
+      }
+      parts.push_back({&m, std::move(relative)});
+    }
+    if (m.free.size() <= 1 && !any_exposure_) {
+      firsts.push_back(&m);
     }
   }
   std::optional<PathModel> best;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    for (std::size_t j = i + 1; j < parts.size(); ++j) {
-      const PathModel& a = *parts[i].first;
-      const PathModel& b = *parts[j].first;
-      if (a.name == b.name) {
+  for (const PathModel* const a : firsts) {
+    for (const Part& part : parts) {
+      const PathModel& b = *part.model;
+      // Each pair of two without a factor once.
+      if (a->name == b.name || (a->free.empty() && a > &b)) {
         continue;
       }
-      PathModel model{a.kind, a.page, a.name, "", back_.lamp, {}, 1, 0, 2};
-      BlockColors product = parts[i].second;
-      for (std::size_t k = 0; k < product.size(); ++k) {
-        for (int c = 0; c < 3; ++c) {
-          product[k][c] *= light[k][c] > 0 ? parts[j].second[k][c] / light[k][c] : 1;
+      PathModel model{a->kind, a->page, a->name, "", a->fixed, a->free, 1, 0, a->edits + 1};
+      for (std::size_t k = 0; k < light.size(); ++k) {
+        model.fixed[k] = back_.lamp[k] + part.relative[k] * (model.fixed[k] - back_.lamp[k]);
+        for (BlockColors& free : model.free) {
+          free[k] *= part.relative[k];
         }
       }
-      model.fixed = combined(model.fixed, 1, product);
-      model.first = &a;
+      model.first = a;
       model.second = &b;
       solve(model);
       if (model.fit.solved && (!best || model.score() < best->score())) {

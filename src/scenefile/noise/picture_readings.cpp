@@ -1,0 +1,234 @@
+#include "scenefile/noise/picture_readings.h"
+
+#include "scenefile/noise/judge_path.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace scenefile {
+
+namespace {
+
+// Of the difference, what a known mistake may leave without its own noise.
+constexpr double most_plain = 0.4;
+
+// The median factor of blocks, 1 if there is none.
+double typical_factor(const TruthBlocks& back, const LinearPicture& picture) {
+  std::vector<double> ratios;
+  for (std::size_t b = 0; b < back.truth.blocks(); ++b) {
+    double mine = 0;
+    double truth = 0;
+    for_each_pixel(back.truth, b, [&](int, int, std::size_t at) {
+      if (picture.usable[at] != 0) {
+        mine += luminance(picture.pixels[at]);
+        truth += luminance(back.truth.pixels[at]);
+      }
+    });
+    if (back.left_out[b] == 0 && mine > 0 && truth > 0) {
+      ratios.push_back(mine / truth);
+    }
+  }
+  return ratios.empty() ? 1 : median_of(std::move(ratios));
+}
+
+void add_models(const TruthBlocks& back, Reading& reading) {
+  reading.models = ModelSearch(back, reading.seen, reading.any_exposure).models();
+  std::sort(reading.models.begin(), reading.models.end(),
+            [](const PathModel& a, const PathModel& b) { return a.score() < b.score(); });
+}
+
+void add_pair(const TruthBlocks& back, Reading& reading) {
+  if (reading.models.empty() ||
+      reading.right.chi2 - reading.models.front().chi2 < claim_errors * claim_errors) {
+    return;
+  }
+  const double most = reading.models.front().deviance + reading.tie();
+  const auto alone = [&](const PathModel& m) {
+    return m.edits == 1 && m.deviance < most && reading.is_complete(m);
+  };
+  if (std::none_of(reading.models.begin(), reading.models.end(), alone)) {
+    reading.two = ModelSearch(back, reading.seen, reading.any_exposure).pair(reading.models);
+  }
+}
+
+// The white of the course's curve for which visible lamps have their emission.
+std::optional<double> white_by_lamps(const TruthBlocks& back, const DecodedPicture& mine,
+                                     ToneCurve curve) {
+  std::vector<double> whites;
+  for (const std::size_t at : lamp_pixels(back)) {
+    const double bright = luminance(back.truth.pixels[at]);
+    const std::uint8_t* rgb = &mine.texture.rgb[3 * at];
+    const Color shown = glm::dvec3(rgb[0], rgb[1], rgb[2]) / 255.0;
+    const double value = luminance(curve == ToneCurve::course ? shown * shown : shown);
+    // value = L (1 + L / w^2) / (1 + L)
+    const double square = bright * bright / std::max(1e-9, value * (1 + bright) - bright);
+    whites.push_back(value >= 0.99 ? bright : std::sqrt(std::clamp(square, bright * bright, 1e12)));
+  }
+  return whites.size() < 4 ? std::nullopt : std::optional<double>(median_of(whites));
+}
+
+// The white for which the picture is most like the truth, or the truth with a factor.
+double fitted_white(const TruthBlocks& back, const DecodedPicture& mine, ToneCurve curve,
+                    bool any_exposure) {
+  double best = 1;
+  double least = 1e300;
+  for (double white = 0.05; white < 2000; white *= 1.2) {
+    Reading reading = read_as(back, mine, {curve, white}, any_exposure);
+    reading.models.push_back({ModelKind::mistake,
+                              Cause::light_samples,
+                              "direct",
+                              "",
+                              combined(back.lamp, 1, back.hit),
+                              {back.sampled}});
+    ModelSearch(back, reading.seen, any_exposure).solve(reading.models.front());
+    if (reading.cost() < least) {
+      least = reading.cost();
+      best = white;
+    }
+  }
+  return best;
+}
+
+// What is left of the difference by the right picture or a mistake, which needs more evidence, and
+// two even more.
+double left_of(const Reading& reading) {
+  double least = reading.right.chi2;
+  for (const PathModel& m : reading.models) {
+    // Not what only the noise of the model could explain.
+    if (m.plain_chi2 < most_plain * reading.right.chi2) {
+      least = std::min(least, 2 * m.chi2);
+    }
+  }
+  if (reading.two) {
+    least = std::min(least, 3 * reading.two->chi2);
+  }
+  return least / reading.values();
+}
+
+// Calls visit(curve, any_exposure) for all ways to read values for the screen.
+template <typename Visit>
+void for_each_curve(const TruthBlocks& back, const DecodedPicture& mine, const Visit& visit) {
+  constexpr std::array others{ScreenCurve{ToneCurve::reinhard},
+                              ScreenCurve{ToneCurve::luminance},
+                              ScreenCurve{ToneCurve::srgb},
+                              ScreenCurve{ToneCurve::clamp},
+                              ScreenCurve{ToneCurve::power, 2.2},
+                              ScreenCurve{ToneCurve::power, 2},
+                              ScreenCurve{ToneCurve::power, gamma_twice}};
+  for (const bool any_exposure : {false, true}) {
+    for (const ToneCurve curve : {ToneCurve::course, ToneCurve::compressed}) {
+      const double white = white_by_lamps(back, mine, curve).value_or(0);
+      visit({curve, white > 0 ? white : fitted_white(back, mine, curve, any_exposure)},
+            any_exposure);
+    }
+    for (const ScreenCurve& screen : others) {
+      visit(screen, any_exposure);
+    }
+  }
+}
+
+void sort_by_cost(std::vector<Reading>& readings) {
+  std::stable_sort(readings.begin(), readings.end(),
+                   [](const Reading& a, const Reading& b) { return a.cost() < b.cost(); });
+}
+
+bool is_mostly_clipped(const TruthBlocks& back, const Reading& reading) {
+  return 3 * reading.seen.tested <= back.truth.blocks();
+}
+
+}  // namespace
+
+double Reading::explained(const PathModel& m) const {
+  const double n = values();
+  return right.chi2 > n
+             ? std::clamp((right.chi2 - std::max(m.chi2, n)) / (right.chi2 - n), 0.0, 1.0)
+             : 0;
+}
+
+bool Reading::is_complete(const PathModel& m) const {
+  const double plain = m.plain_chi2 / right.chi2;
+  return (explained(m) >= 0.85 && m.chi2 < 3 * values() && plain < most_plain) ||
+         (explained(m) >= 0.985 && plain < 0.05 && !m.two_mistakes());
+}
+
+double Reading::tie() const {
+  return std::max(25.0, 0.004 * (right.chi2 - models.front().chi2));
+}
+
+double Reading::cost() const {
+  // A fitted exposure must explain clearly more, and other curves than the course's.
+  const double less_usual = std::log(1.3);
+  return std::log(left_of(*this) + 0.2) + seen.log_variance + (any_exposure ? less_usual : 0) +
+         (screen.curve == ToneCurve::course ? 0 : less_usual);
+}
+
+std::vector<std::size_t> lamp_pixels(const TruthBlocks& back) {
+  const PathTruth& t = back.truth;
+  std::vector<std::size_t> pixels;
+  for (std::size_t at = 0; at < t.pixels.size(); ++at) {
+    const std::size_t block = at / t.width / block_side * t.columns + at % t.width / block_side;
+    const double bright = luminance(t.pixels[at]);
+    if (luminance(back.lamp[block]) > 0 && bright > 0 &&
+        luminance(t.deviations[at]) <= 2.5e-3 * bright * bright) {
+      pixels.push_back(at);
+    }
+  }
+  return pixels;
+}
+
+Reading read_as(const TruthBlocks& back, const DecodedPicture& mine, const ScreenCurve& screen,
+                bool any_exposure) {
+  Reading reading;
+  reading.screen = screen;
+  reading.any_exposure = any_exposure;
+  reading.picture = linearized(mine, screen);
+  if (any_exposure) {
+    reading.exposure = typical_factor(back, reading.picture);
+    for (std::size_t at = 0; at < reading.picture.pixels.size(); ++at) {
+      reading.picture.pixels[at] /= reading.exposure;
+      reading.picture.rounding[at] /= reading.exposure * reading.exposure;
+    }
+  }
+  reading.seen = observe(back, reading.picture);
+  reading.right = ModelSearch(back, reading.seen, any_exposure).right();
+  return reading;
+}
+
+std::vector<Reading> readings_of(const TruthBlocks& back, const DecodedPicture& mine) {
+  std::vector<Reading> list;
+  const auto add = [&](const ScreenCurve& screen, bool any_exposure) {
+    Reading reading = read_as(back, mine, screen, any_exposure);
+    if (mine.is_linear() || !is_mostly_clipped(back, reading)) {
+      add_models(back, reading);
+      list.push_back(std::move(reading));
+    }
+  };
+  if (mine.is_linear()) {
+    add({}, false);
+  } else {
+    for_each_curve(back, mine, add);
+  }
+  sort_by_cost(list);
+  constexpr std::size_t likely = 4;
+  for (std::size_t i = 0; i < std::min(likely, list.size()); ++i) {
+    add_pair(back, list[i]);
+  }
+  sort_by_cost(list);
+  return list;
+}
+
+std::vector<Reading> readings_as_shown(const TruthBlocks& back, const DecodedPicture& mine) {
+  std::vector<Reading> list;
+  for_each_curve(back, mine, [&](const ScreenCurve& screen, bool any_exposure) {
+    Reading reading = read_as(back, mine, screen, any_exposure);
+    if (!is_mostly_clipped(back, reading)) {
+      list.push_back(std::move(reading));
+    }
+  });
+  sort_by_cost(list);
+  return list;
+}
+
+}  // namespace scenefile

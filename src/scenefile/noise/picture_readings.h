@@ -1,0 +1,55 @@
+#pragma once
+// Ways to read a picture: of 8-bit values, several tone curves, as they are or with an exposure.
+// For each of them, what explains the picture. Internal to noise.
+
+#include "scenefile/noise/path_models.h"
+
+#include <optional>
+#include <vector>
+
+namespace scenefile {
+
+/// The exponents of 2.2 or 2, applied twice, are near it.
+inline constexpr double gamma_twice = 4.4;
+
+/// One way to linearize the picture, and what the search found then.
+struct Reading {
+  ScreenCurve screen;
+  bool any_exposure = false;
+  double exposure = 1;  ///< the values were divided by it, so that noise has the truth's units
+  LinearPicture picture;
+  ObservedBlocks seen;
+  PathModel right;
+  std::vector<PathModel> models;  ///< the best first
+  std::optional<PathModel> two;   ///< mistakes, where none explains it alone
+
+  double values() const { return 3.0 * static_cast<double>(std::max<std::size_t>(1, seen.tested)); }
+
+  /// The part of the difference beyond noise.
+  double explained(const PathModel& m) const;
+
+  /// Whether the model leaves little of the difference beyond noise. What its own noise could
+  /// explain does not count.
+  bool is_complete(const PathModel& m) const;
+
+  /// Of two models that explain as much but for this, the simpler one is likelier.
+  double tie() const;
+
+  /// How badly it explains the file: by mean logarithms, in the units of the file.
+  double cost() const;
+};
+
+/// Without models.
+Reading read_as(const TruthBlocks& back, const DecodedPicture& mine, const ScreenCurve& screen,
+                bool any_exposure);
+
+/// The likeliest first; none if most of the picture is clipped.
+std::vector<Reading> readings_of(const TruthBlocks& back, const DecodedPicture& mine);
+
+/// Of floats that may be values for the screen, without models.
+std::vector<Reading> readings_as_shown(const TruthBlocks& back, const DecodedPicture& mine);
+
+/// Pixels that show nothing but lamps.
+std::vector<std::size_t> lamp_pixels(const TruthBlocks& back);
+
+}  // namespace scenefile

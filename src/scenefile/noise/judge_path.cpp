@@ -203,71 +203,80 @@ const char* kind_of(Cause page) {
   }
 }
 
-void explain(const TruthBlocks& back, const Reading& reading, PathVerdict& verdict) {
-  const ModelSearch search(back, reading.seen, reading.any_exposure);
-  const double n = reading.values();
-  const double before = reading.right.chi2;
-  if (reading.seen.relative_noise > too_much_noise || reading.models.empty() ||
-      before - reading.models.front().chi2 < claim_errors * claim_errors) {
-    return;
-  }
-  const std::optional<double> whole =
+// Turns what explains one reading of the picture into claims.
+struct Explanation {
+  const TruthBlocks& back;
+  const Reading& reading;
+  PathVerdict& verdict;
+  ModelSearch search{back, reading.seen, reading.any_exposure};
+  std::optional<double> whole =
       reading.any_exposure ? std::nullopt : lamp_factor(back, reading.picture);
-  const auto evidence = [&](const PathModel& m) {
-    return fmt::format("explains {:.0f} % of the difference beyond noise; {:.0f} standard errors",
-                       100 * reading.explained(m), std::abs(search.significance(m)));
-  };
-  const auto counts = [&](const PathModel& m) {
+  double values = reading.values();
+
+  std::vector<Meaning> meanings_of(const PathModel& m, bool& general) const {
+    return meanings(back.truth, m, whole, general);
+  }
+
+  bool counts(const PathModel& m) const {
     return std::abs(search.significance(m)) >= claim_errors && effect_of(back, m) >= least_effect;
-  };
-  const auto claim = [&](std::vector<PathClaim>& list, const PathModel& m, const Meaning& name) {
+  }
+
+  // No more than the noise, and not worse than the best.
+  bool is_near(const PathModel& m) const {
+    return m.kind == ModelKind::mistake && m.chi2 < 3 * values && reading.explained(m) >= 0.85 &&
+           m.deviance < reading.models.front().deviance + reading.tie();
+  }
+
+  void claim(std::vector<PathClaim>& list, const PathModel& m, const Meaning& name) const {
     const auto same = [&](const PathClaim& c) {
       return c.what == name.what || c.name == name.name;
     };
     if (std::none_of(list.begin(), list.end(), same)) {
-      list.push_back({name.page, name.name, name.what, evidence(m), reading.explained(m)});
+      list.push_back(
+          {name.page, name.name, name.what,
+           fmt::format("explains {:.0f} % of the difference beyond noise; {:.0f} standard errors",
+                       100 * reading.explained(m), std::abs(search.significance(m))),
+           reading.explained(m)});
     }
-  };
+  }
+
   // A mistake that explains as much as free numbers is more likely.
-  const double tie = reading.tie();
-  const double most = reading.models.front().deviance + tie;
-  const auto is_known = [&](const PathModel& m) {
-    bool general = false;
-    static_cast<void>(meanings(back.truth, m, whole, general));
-    return !general && m.edits == 1 && m.deviance < most && reading.is_complete(m);
-  };
-  const auto known = std::find_if(reading.models.begin(), reading.models.end(), is_known);
-  const PathModel& best = known == reading.models.end() ? reading.models.front() : *known;
-  verdict.chi2_per_value = best.chi2 / n;
-  const bool complete = reading.is_complete(best);
-  const std::optional<PathModel>& two = reading.two;
-  if (two && reading.is_complete(*two) && counts(*two) &&
-      (!complete || (best.edits > 1 && best.chi2 > 2 * n && two->score() < best.score()))) {
-    PathModel fitted = *two->first;
+  const PathModel& best() const {
+    const double most = reading.models.front().deviance + reading.tie();
+    const auto is_known = [&](const PathModel& m) {
+      bool general = false;
+      static_cast<void>(meanings_of(m, general));
+      return !general && m.edits == 1 && m.deviance < most && reading.is_complete(m);
+    };
+    const auto known = std::find_if(reading.models.begin(), reading.models.end(), is_known);
+    return known == reading.models.end() ? reading.models.front() : *known;
+  }
+
+  void claim_pair(const PathModel& two) const {
+    PathModel fitted = *two.first;
     if (!fitted.free.empty()) {
-      fitted.fit = two->fit;
+      fitted.fit = two.fit;
     }
     bool general = false;
     bool ignored = false;
-    const Meaning a = meanings(back.truth, fitted, whole, general).front();
-    const Meaning b = meanings(back.truth, *two->second, whole, ignored).front();
+    const Meaning a = meanings_of(fitted, general).front();
+    const Meaning b = meanings_of(*two.second, ignored).front();
     const bool first_wrong = fitted.kind != ModelKind::convention;
-    const bool second_wrong = two->second->kind != ModelKind::convention;
+    const bool second_wrong = two.second->kind != ModelKind::convention;
     if (first_wrong && second_wrong) {
-      claim(verdict.partial, *two, {a.page, a.name, a.what + "; and " + b.what});
-    } else {
-      claim(!first_wrong                       ? verdict.conventions
-            : general || fitted.two_mistakes() ? verdict.partial
-                                               : verdict.causes,
-            *two, a);
-      claim(second_wrong ? verdict.causes : verdict.conventions, *two, b);
-    }
-    return;
-  }
-  if (complete) {
-    if (!counts(best)) {
+      claim(verdict.partial, two, {a.page, a.name, a.what + "; and " + b.what});
       return;
     }
+    claim(!first_wrong                       ? verdict.conventions
+          : general || fitted.two_mistakes() ? verdict.partial
+                                             : verdict.causes,
+          two, a);
+    claim(second_wrong ? verdict.causes : verdict.conventions, two, b);
+  }
+
+  // And those that explain as much.
+  void claim_one(const PathModel& best) const {
+    const double tie = reading.tie();
     bool general = false;
     for (const PathModel& m : reading.models) {
       const bool first = &m == &best;
@@ -276,7 +285,7 @@ void explain(const TruthBlocks& back, const Reading& reading, PathVerdict& verdi
         continue;
       }
       bool this_general = false;
-      const std::vector<Meaning> names = meanings(back.truth, m, whole, this_general);
+      const std::vector<Meaning> names = meanings_of(m, this_general);
       general = general || (first && this_general);
       if (!first && this_general) {
         continue;  // explains the same with a free number
@@ -289,37 +298,61 @@ void explain(const TruthBlocks& back, const Reading& reading, PathVerdict& verdi
       }
     }
     constexpr std::size_t most_named = 3;
-    if (std::max(verdict.causes.size(), verdict.partial.size()) <= most_named) {
-      return;
+    if (std::max(verdict.causes.size(), verdict.partial.size()) > most_named) {
+      verdict.causes.clear();
+      verdict.partial.clear();
     }
-    verdict.causes.clear();
-    verdict.partial.clear();
+  }
+
+  // Mistakes of one kind that the noise does not tell apart.
+  bool claim_kind() const {
+    const PathModel& first = reading.models.front();
+    const char* const what = kind_of(first.page);
+    const bool alone =
+        std::all_of(reading.models.begin(), reading.models.end(),
+                    [&](const PathModel& m) { return !is_near(m) || m.page == first.page; });
+    if (what == nullptr || !alone || !is_near(first) || !counts(first)) {
+      return false;
+    }
+    claim(verdict.partial, first, {first.page, "kind", what});
+    return true;
+  }
+
+  // A part of the light that has another factor.
+  void claim_part() const {
+    for (const PathModel& m : reading.models) {
+      bool general = false;
+      const std::vector<Meaning> names = meanings_of(m, general);
+      const double part = reading.explained(m);
+      if (general && m.free.size() <= 1 && counts(m) &&
+          (part >= 0.98 || (part >= 0.7 && m.chi2 < 3 * values))) {
+        claim(verdict.partial, m, names.front());
+        return;
+      }
+    }
+  }
+};
+
+void explain(const TruthBlocks& back, const Reading& reading, PathVerdict& verdict) {
+  if (reading.seen.relative_noise > too_much_noise || reading.models.empty() ||
+      reading.right.chi2 - reading.models.front().chi2 < claim_errors * claim_errors) {
     return;
   }
-  // Mistakes of one kind that the noise does not tell apart.
-  const auto near = [&](const PathModel& m) {
-    return m.kind == ModelKind::mistake && m.deviance < most && m.chi2 < 3 * n &&
-           reading.explained(m) >= 0.85;
-  };
-  const PathModel& first = reading.models.front();
-  if (near(first) && counts(first) &&
-      std::all_of(reading.models.begin(), reading.models.end(),
-                  [&](const PathModel& m) { return !near(m) || m.page == first.page; })) {
-    if (const char* const what = kind_of(first.page); what != nullptr) {
-      claim(verdict.partial, first, {first.page, "kind", what});
-      return;
+  const Explanation explanation{back, reading, verdict};
+  const PathModel& best = explanation.best();
+  verdict.chi2_per_value = best.chi2 / reading.values();
+  const bool complete = reading.is_complete(best);
+  const std::optional<PathModel>& two = reading.two;
+  const bool better = two && (!complete || (best.edits > 1 && best.chi2 > 2 * reading.values() &&
+                                            two->score() < best.score()));
+  if (better && reading.is_complete(*two) && explanation.counts(*two)) {
+    explanation.claim_pair(*two);
+  } else if (!complete) {
+    if (!explanation.claim_kind()) {
+      explanation.claim_part();
     }
-  }
-  // A part of the light that has another factor.
-  for (const PathModel& m : reading.models) {
-    bool general = false;
-    const std::vector<Meaning> names = meanings(back.truth, m, whole, general);
-    const double part = reading.explained(m);
-    if (general && m.free.size() <= 1 && counts(m) &&
-        (part >= 0.98 || (part >= 0.7 && m.chi2 < 3 * n))) {
-      claim(verdict.partial, m, names.front());
-      return;
-    }
+  } else if (explanation.counts(best)) {
+    explanation.claim_one(best);
   }
 }
 

@@ -461,7 +461,8 @@ void name_growth(const TruthBlocks& back, const LinearPicture& picture, PathVerd
         {Cause::scattering, "light",
          fmt::format("most pixels are brighter than the truth, by a factor of at least {:.2f}, and "
                      "the noise is far too large: light grows from bounce to bounce, as without "
-                     "the cosine, 1 / pi or the density of directions",
+                     "the cosine, 1 / pi or the density of directions, or with a wrong "
+                     "probability of going on",
                      factor),
          "median of pixels", 0});
     verdict.too_noisy = false;
@@ -485,7 +486,7 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
         {Cause::brightness, "clipped",
          "most of the picture is brighter than the file can hold, and the truth is not: direct "
          "light has too large a factor, or light grows from bounce to bounce, as without the "
-         "cosine, 1 / pi or the density of directions",
+         "cosine, 1 / pi or the density of directions, or with a wrong probability of going on",
          "", 0});
     return verdict;
   }

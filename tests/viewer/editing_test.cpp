@@ -543,6 +543,61 @@ TEST_F(EditingTest, HandlesOfLightsAndTheCamera) {
   EXPECT_EQ(session.shown->camera.position.z, 6);
 }
 
+TEST_F(EditingTest, HandlesOfTheConeOfASpotLight) {
+  rewrite(R"(<type v="point"/><position x="0" y="3" z="3"/>)",
+          R"(<type v="spot"/><position x="0" y="3" z="0"/><direction x="0" y="-2" z="0"/>)"
+          R"(<angle v="30"/><penumbra v="0"/>)");
+  const std::string before = text();
+  select_label("spot light");
+  set_camera(session, zoomed(session.camera, 2, {0, 0, 0}));
+  const auto number = [&](std::string_view name) {
+    return std::stod(field(std::string(name)).parts[0].value);
+  };
+  for (const Handles kind : {Handles::move, Handles::turn, Handles::scale}) {
+    session.handles = kind;
+    // The first quarter of a ring goes from the front to the left.
+    drag_line(4, 1, {-30, 0});
+    EXPECT_GT(number("angle"), 33);
+    EXPECT_LT(number("angle"), 50);
+    EXPECT_EQ(number("penumbra"), 0);
+    EXPECT_NEAR(scene().lights[1].outer_angle, glm::radians(number("angle")), 1e-4);
+    const double angle = number("angle");
+    drag_line(5, 1, {20, 0});
+    EXPECT_GT(number("penumbra"), 2);
+    EXPECT_LT(number("penumbra"), 15);
+    EXPECT_EQ(number("angle"), angle);
+    // The outer edge cannot be within the inner one, nor the inner one outside.
+    drag_line(5, 1, {-60, 0});
+    EXPECT_EQ(number("penumbra"), 0);
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_NE(text(), before);
+      perform(session, Action::undo);
+      settle();
+    }
+    EXPECT_EQ(text(), before) << "each drag is one step";
+  }
+  session.handles = Handles::none;
+  EXPECT_FALSE(handles_of(session).has_value());
+}
+
+TEST_F(EditingTest, TheConeOfAJsonLightHasHandles) {
+  open_scene(session, folder.write("spot.json", R"({
+  "globalData": {"ambientCoeff": 0.5, "diffuseCoeff": 0.5, "specularCoeff": 0.5},
+  "cameraData": {"position": [0, 0, 12], "look": [0, 0, -1], "up": [0, 1, 0], "heightAngle": 45},
+  "groups": [
+    {"translate": [0, 3, 0], "lights": [
+      {"type": "spot", "color": [1, 1, 1], "attenuationCoeff": [1, 0, 0],
+       "direction": [0, -1, 0], "penumbra": 10, "angle": 30}]},
+    {"primitives": [{"type": "cube", "diffuse": [1, 1, 1]}]}
+  ]
+})"));
+  settle();
+  select_label("spot light");
+  drag_line(4, 1, {-20, 0});
+  EXPECT_GT(std::stod(field("angle").parts[0].value), 32);
+  EXPECT_EQ(field("penumbra").parts[0].value, "10");
+}
+
 TEST_F(EditingTest, PartsOfTemplatesMoveTheCopyThatWasClicked) {
   select_label("cone");
   EXPECT_FALSE(handles_of(session).has_value()) << "which one?";

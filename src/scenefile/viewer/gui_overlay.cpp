@@ -290,7 +290,8 @@ void paint_handles(Session& session, const GuiFrame& frame) {
   if (!set || session.compare > CompareView::split) {
     return;
   }
-  static constexpr std::array<unsigned, 4> colors{0xe05050, 0x50c050, 0x5080ff, 0xe2e4e8};
+  static constexpr std::array<unsigned, 6> colors{0xe05050, 0x50c050, 0x5080ff,
+                                                  0xe2e4e8, 0xffe080, 0xffa040};
   const bool held = session.pointer.drag == Drag::handle && session.grasped;
   const std::optional<int> bright = held
                                         ? std::optional(session.grasped->number)
@@ -311,12 +312,12 @@ void paint_handles(Session& session, const GuiFrame& frame) {
     const auto count = static_cast<int>(points.size());
     draw.AddPolyline(points.data(), count, rgba(0x000000, 150), 0, 5 * s);
     draw.AddPolyline(points.data(), count, color, 0, 2.5F * s);
-    if (set->kind == Handles::turn) {
+    if (set->kind == Handles::turn && line.number < 4) {
       continue;
     }
     const ImVec2 end = points.back();
     const float r = (line.number == 3 ? 6 : 5) * s;
-    if (set->kind == Handles::scale) {
+    if (set->kind == Handles::scale && line.number < 4) {
       draw.AddRectFilled({end.x - r, end.y - r}, {end.x + r, end.y + r}, color, 1);
     } else {
       draw.AddCircleFilled(end, r, color, 16);

@@ -1,5 +1,6 @@
 #include "scenefile/viewer/handles.h"
 
+#include "scenefile/view/helpers.h"
 #include "scenefile/viewer/session.h"
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace scenefile::viewer {
 
@@ -141,24 +143,64 @@ Result<Edit> edit_item(const Session& session, const GraspedHandle& grasped, boo
   }
 }
 
-// A light of an XML file.
-Result<Edit> edit_light(const Session& session, const GraspedHandle& grasped, bool steps,
-                        const EditInProgress& progress) {
+// The direction of a light of an XML file.
+Result<Edit> turn_light(const GraspedHandle& grasped, const EditInProgress& progress) {
   const std::vector<FieldView> fields = progress.before.fields(progress.item);
-  const bool turns = grasped.set.kind == Handles::turn;
-  const FieldView* const field = find_field(fields, turns ? "direction" : "angle");
+  const FieldView* const field = find_field(fields, "direction");
   if (field == nullptr) {
     return Edit{};
-  }
-  if (!turns) {
-    const double angle = number_of(field->parts[0]);
-    const double wanted = std::clamp(angle * factor_of(session, grasped), 0.5, 180.0);
-    return set_value(progress.before, progress.item, *field, 0,
-                     number_text(steps ? std::round(wanted) : wanted));
   }
   return set_values(
       progress.before, progress.item, *field,
       values_of(turned(vector_of(*field), grasped.set, grasped.number, grasped.turned_deg)));
+}
+
+// Which angle of the cone, in degrees, brings the place where its edge was grasped to the pointer.
+double cone_angle(const Session& session, const GraspedHandle& grasped, SpotEdge edge,
+                  double pressed_deg) {
+  const RenderLight& spot = *grasped.set.spot;
+  const auto in_window = [&](double degrees, double around) {
+    return point_in_window(session, cone_point(spot, edge, session.shown->bounds,
+                                               glm::radians(degrees), around))
+        .value_or(glm::dvec2(1e9));
+  };
+  const auto nearest = [](const auto& distance, double from, double to, double step) {
+    double best = from;
+    for (int i = 0; from + i * step <= to; ++i) {
+      best = distance(from + i * step) < distance(best) ? from + i * step : best;
+    }
+    return best;
+  };
+  const double around =
+      nearest([&](double at) { return glm::distance(in_window(pressed_deg, at), grasped.pressed); },
+              0, 2 * glm::pi<double>(), 0.02);
+  const glm::dvec2 target = in_window(pressed_deg, around) + session.pointer.at - grasped.pressed;
+  const auto missed = [&](double degrees) {  // of two angles, the one nearer to where it was
+    return glm::distance(in_window(degrees, around), target) +
+           0.01 * std::abs(degrees - pressed_deg);
+  };
+  const double about = nearest(missed, 0, 180, 1);
+  return nearest(missed, std::max(about - 1, 0.0), std::min(about + 1, 180.0), 0.02);
+}
+
+// An edge of the cone of a spot light. The inner one follows the outer one.
+Result<Edit> edit_cone(const Session& session, const GraspedHandle& grasped, bool steps,
+                       const EditInProgress& progress) {
+  const bool is_outer = grasped.number == 4;
+  const double outer = glm::degrees(double{grasped.set.spot->outer_angle});
+  const double inner = glm::degrees(double{grasped.set.spot->inner_angle});
+  const double angle = cone_angle(session, grasped, is_outer ? SpotEdge::outer : SpotEdge::inner,
+                                  is_outer ? outer : inner);
+  const double step = steps ? 1 : 0.1;
+  const double value = std::round((is_outer ? angle : outer - angle) / step) * step;
+  const std::vector<FieldView> fields = progress.before.fields(progress.item);
+  const FieldView* const field = find_field(fields, is_outer ? "angle" : "penumbra");
+  if (field == nullptr) {
+    return Edit{};
+  }
+  return set_value(progress.before, progress.item, *field, 0,
+                   number_text(is_outer ? std::max(value, std::max(outer - inner, step))
+                                        : std::clamp(value, 0.0, outer)));
 }
 
 Result<Edit> edit_camera(const Session& session, const GraspedHandle& grasped, bool steps,
@@ -251,6 +293,57 @@ std::optional<Handle> handle_of_selection(const Session& session, const Document
   return handle;
 }
 
+// The handles along or around axes.
+std::optional<HandleSet> axes_of(const Session& session, const Document& document, ItemId item) {
+  HandleSet set{session.handles};
+  set.axes = {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
+  if (document[item].kind == ItemKind::camera) {
+    if (session.camera == session.home) {
+      return std::nullopt;  // the handles would be where the eye is
+    }
+    set.of_camera = true;
+    set.at = document.scene().camera.value_or(Camera{}).position;
+    return set;
+  }
+  const std::optional<Handle> handle = handle_of_selection(session, document, item);
+  if (handle) {
+    set.at = glm::dvec3(handle->world_from_item[3]);
+  } else {
+    const Bounds& box = session.shown->bounds;
+    set.at = box.empty() ? glm::dvec3(0) : (box.min + box.max) * 0.5;
+  }
+  if (handle && (!handle->is_light || set.kind == Handles::move)) {
+    set.of_item = handle;
+    const glm::dmat4& space =
+        set.kind == Handles::scale ? handle->world_from_item : handle->world_from_space;
+    for (int i = 0; i < 3; ++i) {
+      const glm::dvec3 axis(space[i]);
+      if (!(glm::length(axis) > 0)) {
+        return std::nullopt;
+      }
+      set.axes[static_cast<std::size_t>(i)] = glm::normalize(axis);
+    }
+    return set;
+  }
+  const bool turns_light = document[item].kind == ItemKind::light && document.is_xml() &&
+                           set.kind == Handles::turn &&
+                           find_field(document.fields(item), "direction") != nullptr;
+  return turns_light ? std::optional(set) : std::nullopt;
+}
+
+// The selected light, if it is a spot light.
+const RenderLight* selected_spot(const Session& session) {
+  const OutlineRow* const row =
+      session.selected ? &session.shown->outline.rows[*session.selected] : nullptr;
+  for (const RenderLight& light : session.shown->opened.ready.scene.lights) {
+    if (row != nullptr && row->kind == RowKind::light && light.source == row->source &&
+        light.type == LightType::spot) {
+      return &light;
+    }
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 std::optional<HandleSet> handles_of(Session& session) {
@@ -261,54 +354,19 @@ std::optional<HandleSet> handles_of(Session& session) {
   if (!item) {
     return std::nullopt;
   }
-  const Document& document = *session.editing.document;
-  HandleSet set{session.handles};
-  set.axes = {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
-  if (document[*item].kind == ItemKind::camera) {
-    if (session.camera == session.home) {
-      return std::nullopt;  // the handles would be where the eye is
-    }
-    set.of_camera = true;
-    set.at = document.scene().camera.value_or(Camera{}).position;
-  } else if (const std::optional<Handle> handle = handle_of_selection(session, document, *item)) {
-    set.at = glm::dvec3(handle->world_from_item[3]);
-    if (!handle->is_light || set.kind == Handles::move) {
-      set.of_item = handle;
-      const glm::dmat4& space =
-          set.kind == Handles::scale ? handle->world_from_item : handle->world_from_space;
-      for (int i = 0; i < 3; ++i) {
-        const glm::dvec3 axis(space[i]);
-        if (!(glm::length(axis) > 0)) {
-          return std::nullopt;
-        }
-        set.axes[static_cast<std::size_t>(i)] = glm::normalize(axis);
-      }
-    }
-  } else if (document[*item].kind == ItemKind::light && document.is_xml() &&
-             set.kind == Handles::turn) {
-    const Bounds& box = session.shown->bounds;
-    set.at = box.empty() ? glm::dvec3(0) : (box.min + box.max) * 0.5;
-  } else {
-    return std::nullopt;
-  }
-  if (!set.of_item && !set.of_camera) {
-    const std::vector<FieldView> fields = document.fields(*item);
-    if (find_field(fields, set.kind == Handles::turn ? "direction" : "angle") == nullptr) {
-      return std::nullopt;
-    }
+  std::optional<HandleSet> set = axes_of(session, *session.editing.document, *item);
+  if (const RenderLight* const spot = selected_spot(session)) {
+    set = set ? set : HandleSet{.kind = Handles::none, .at = glm::dvec3(spot->position)};
+    set->spot = *spot;
   }
   return set;
 }
 
 std::vector<HandleLine> handle_lines(const Session& session, const HandleSet& set, double scale) {
   std::vector<HandleLine> lines;
-  const double length = handle_length * scale * pixel_size(session, set.at);
-  // The cone of a light and the camera's angle have no axes; nothing turns about all three.
-  const int first = set.kind != Handles::scale || set.of_item ? 0 : 3;
-  const int end = set.kind != Handles::turn ? 4 : 3;
-  for (int number = first; number < end; ++number) {
+  const auto add = [&](int number, std::span<const glm::dvec3> points) {
     HandleLine line{number, {}};
-    for (const glm::dvec3& point : points_of(session, set, number, length)) {
+    for (const glm::dvec3& point : points) {
       if (const std::optional<glm::dvec2> place = point_in_window(session, point)) {
         line.points.push_back(*place);
       }
@@ -316,6 +374,21 @@ std::vector<HandleLine> handle_lines(const Session& session, const HandleSet& se
     if (!line.points.empty()) {
       lines.push_back(std::move(line));
     }
+  };
+  for (const SpotEdge edge : {SpotEdge::inner, SpotEdge::outer}) {
+    const std::vector<glm::dvec3> ring =
+        set.spot ? cone_ring(*set.spot, edge, session.shown->bounds) : std::vector<glm::dvec3>();
+    const std::size_t quarter = ring.size() / 4;
+    for (std::size_t i = 0; quarter > 0 && i < 4; ++i) {
+      add(edge == SpotEdge::outer ? 4 : 5, {ring.data() + i * quarter, quarter + 1});
+    }
+  }
+  const double length = handle_length * scale * pixel_size(session, set.at);
+  // The camera's angle has no axes; nothing turns about all three.
+  const int first = set.kind == Handles::scale && set.of_camera ? 3 : 0;
+  const int end = set.kind == Handles::none ? 0 : set.kind == Handles::turn ? 3 : 4;
+  for (int number = first; number < end; ++number) {
+    add(number, points_of(session, set, number, length));
   }
   return lines;
 }
@@ -353,15 +426,17 @@ void drag_handle(Session& session, bool steps) {
   }
   session.grasped = held;
   GraspedHandle& grasped = *session.grasped;
-  if (grasped.set.kind == Handles::turn) {
+  const bool of_cone = grasped.number > 3;
+  if (grasped.set.kind == Handles::turn && !of_cone) {
     turn_to_pointer(session, grasped);
   }
   GraspedHandle now = grasped;
   const double unit = steps ? 15 : 1;
   now.turned_deg = std::round(grasped.turned_deg / unit) * unit;
-  continue_edit(session, now.set.of_camera ? edit_camera(session, now, steps, progress->before)
-                         : now.set.of_item ? edit_item(session, now, steps, progress->before)
-                                           : edit_light(session, now, steps, *progress));
+  continue_edit(session, of_cone             ? edit_cone(session, now, steps, *progress)
+                         : now.set.of_camera ? edit_camera(session, now, steps, progress->before)
+                         : now.set.of_item   ? edit_item(session, now, steps, progress->before)
+                                             : turn_light(now, *progress));
 }
 
 }  // namespace scenefile::viewer

@@ -3,6 +3,7 @@
 // direction and cone) or the scene's camera. Places in the window are as in session.h.
 
 #include "scenefile/edit/edits.h"
+#include "scenefile/scene/render_scene.h"
 
 #include <glm/glm.hpp>
 
@@ -21,16 +22,17 @@ enum class Handles : std::uint8_t { move, turn, scale, none };
 /// The handles of the selection.
 struct HandleSet {
   Handles kind = Handles::move;
-  std::optional<Handle> of_item{};  ///< else a light of an XML file, or the camera
+  std::optional<Handle> of_item{};    ///< else a light of an XML file, or the camera
+  std::optional<RenderLight> spot{};  ///< with the edges of its cone; kind none: only these
   bool of_camera = false;
   glm::dvec3 at{0};                  ///< world space
   std::array<glm::dvec3, 3> axes{};  ///< unit length, world space
 };
 
 /// A handle as it is drawn: a line for moving and scaling, a ring for turning, a point in the
-/// middle.
+/// middle, a part of the edge of a cone.
 struct HandleLine {
-  int number = 0;  ///< of the axis; 3: all
+  int number = 0;  ///< of the axis; 3: all; 4, 5: outer and inner edge of a cone, by quarters
   std::vector<glm::dvec2> points;
 };
 

@@ -11,6 +11,7 @@ namespace scenefile {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using Make = std::function<Result<Edit>(const Document&)>;
 
 std::string after_edit(const std::string& text, const Make& make) {
@@ -164,7 +165,8 @@ TEST(Edits, AddedObjectsFollowTheLayout) {
   };
   EXPECT_EQ(after_edit(scene_xml, add({ItemKind::primitive, "cone"})),
             with(scene_xml, "\t</object>\r\n</scenefile>",
-                 "\t\t<transblock>\r\n\t\t\t<object type=\"primitive\" name=\"cone\">\r\n"
+                 "\t\t<transblock>\r\n\t\t\t<translate x=\"-1.2\" y=\"0\" z=\"0\"/>\r\n"
+                 "\t\t\t<object type=\"primitive\" name=\"cone\">\r\n"
                  "\t\t\t\t<diffuse r=\"1\" g=\"1\" b=\"1\"/>\r\n\t\t\t</object>\r\n"
                  "\t\t</transblock>\r\n\t</object>\r\n</scenefile>"));
   EXPECT_EQ(after_edit("<scenefile/>", add({ItemKind::camera})),
@@ -174,6 +176,114 @@ TEST(Edits, AddedObjectsFollowTheLayout) {
   EXPECT_THAT(after_edit(scene_xml, add({ItemKind::instance, "arm"})), HasSubstr("not declared"));
   EXPECT_THAT(after_edit(scene_xml, add({ItemKind::light, "spot"})),
               HasSubstr("\t<lightdata>\r\n\t\t<type v=\"spot\"/>\r\n\t\t<id v=\"1\"/>"));
+}
+
+// A scene with these transblocks, seen from z = 8.
+std::string seen_from_the_front(const std::string& blocks) {
+  return "<scenefile><cameradata><pos x=\"0\" y=\"1\" z=\"8\"/><focus x=\"0\" y=\"0\" z=\"0\"/>"
+         "<up x=\"0\" y=\"1\" z=\"0\"/><heightangle v=\"45\"/></cameradata>"
+         "<object type=\"tree\" name=\"root\">" +
+         blocks + "</object></scenefile>";
+}
+constexpr std::string_view cube_block =
+    R"(<transblock><object type="primitive" name="cube"/></transblock>)";
+
+TEST(Edits, NewObjectsDoNotOverlapOthers) {
+  std::string text = seen_from_the_front(std::string(cube_block));
+  for (int i = 0; i < 12; ++i) {
+    text = after_edit(text, [&](const Document& document) {
+      const auto items = static_cast<ItemId>(document.items().size());
+      return add_item(document, i % 2 == 0 ? std::nullopt : std::optional(items - 1),
+                      {ItemKind::primitive, i % 3 == 0 ? "sphere" : "cube"});
+    });
+  }
+  const Result<Document> document = Document::open(text, {});
+  ASSERT_TRUE(document) << text;
+  std::vector<glm::dvec3> places;
+  for (ItemId id = 0; id < document->items().size(); ++id) {
+    if ((*document)[id].kind == ItemKind::primitive) {
+      places.emplace_back(handle_of(*document, id)->world_from_item[3]);
+    }
+  }
+  ASSERT_EQ(places.size(), 13U);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    EXPECT_LT(glm::length(places[i]), 5) << "in view";
+    for (std::size_t j = 0; j < i; ++j) {
+      const glm::dvec3 apart = glm::abs(places[i] - places[j]);
+      EXPECT_GE(std::max({apart.x, apart.y, apart.z}), 1 - 1e-3) << i << " " << j << text;
+    }
+  }
+}
+
+TEST(Edits, NewObjectsStandWhereTheyAreSeen) {
+  const auto add = [](const std::string& blocks, const NewItem& what,
+                      const std::optional<Viewpoint>& view = {}) {
+    return after_edit(seen_from_the_front(blocks), [&](const Document& document) {
+      const ItemId group = nth(document, ItemKind::group);
+      return add_item(document, group == 0 ? nth(document, ItemKind::root) : group, what, view);
+    });
+  };
+  const NewItem cone{ItemKind::primitive, "cone"};
+  EXPECT_THAT(add("", cone), Not(HasSubstr("translate")));
+  EXPECT_THAT(add(std::string(cube_block), cone), HasSubstr(R"(<translate x="1.2" y="0" z="0"/>)"));
+  EXPECT_THAT(add("", cone, Viewpoint{{20, 0, 8}, {20.1, 0, 0}}),
+              HasSubstr(R"(<translate x="20" y="0" z="0"/>)"));
+  // From behind, right is -x.
+  EXPECT_THAT(add(std::string(cube_block), cone, Viewpoint{{0, 0, -8}, {0, 0, 0}}),
+              HasSubstr(R"(<translate x="-1.2" y="0" z="0"/>)"));
+  const auto scaled = [](const std::string& translation, const std::string& size) {
+    return "<transblock><translate " + translation + "/><scale " + size +
+           R"(/><object type="primitive" name="cube"/></transblock>)";
+  };
+  EXPECT_THAT(add(scaled(R"(x="0" y="-0.1" z="0")", R"(x="9" y="0.2" z="9")"), cone),
+              HasSubstr(R"(<translate x="0" y="0.5" z="0"/>)"))
+      << "on the ground";
+  EXPECT_THAT(add(scaled(R"(x="0" y="0" z="0")", R"(x="99" y="99" z="99")"), cone),
+              HasSubstr(R"(name="cube"/></transblock><transblock><object)"))
+      << "the camera is in this room, too";
+  // In a group, by its units; the center of what it sees is at the edge of the group's cube.
+  EXPECT_THAT(add(R"(<transblock><translate x="1" y="0" z="0"/><scale x="2" y="2" z="2"/>)"
+                  R"(<object type="tree">)" +
+                      std::string(cube_block) + "</object></transblock>",
+                  cone),
+              HasSubstr(R"(<translate x="-1.2" y="0" z="0"/>)"));
+  const std::string lights = add("", {ItemKind::light, "point"});
+  EXPECT_THAT(lights, HasSubstr(R"(<position x="2" y="5" z="3"/>)"));
+  EXPECT_THAT(after_edit(lights,
+                         [](const Document& document) {
+                           return add_item(document, {}, {ItemKind::light, "point"});
+                         }),
+              HasSubstr(R"(<position x="2.6" y="5" z="3"/>)"));
+}
+
+TEST(Edits, CopiesStandBesideTheirOriginals) {
+  const auto copy = [](ItemKind kind) {
+    return [=](const Document& document) { return duplicate_item(document, nth(document, kind)); };
+  };
+  const std::string ground =
+      R"(<transblock><translate x="0" y="-1" z="0"/><scale x="9" y="1.2" z="9"/>)"
+      R"(<object type="primitive" name="sphere"/></transblock>)";
+  EXPECT_THAT(
+      after_edit(seen_from_the_front(std::string(cube_block) + ground), copy(ItemKind::primitive)),
+      HasSubstr(std::string(cube_block) + R"(<transblock><translate x="1.2" y="0" z="0"/>)"))
+      << "that it is in the ground does not matter";
+  EXPECT_THAT(after_edit(seen_from_the_front(ground), copy(ItemKind::primitive)),
+              HasSubstr(R"(<translate x="11" y="-1" z="0"/><scale x="9" y="1.2" z="9"/>)"));
+  const std::string leg = after_edit(scene_xml, copy(ItemKind::master));
+  EXPECT_THAT(leg, HasSubstr("name=\"leg-2\""));
+  EXPECT_THAT(leg, Not(HasSubstr("translate x=\"1.2\""))) << "templates are drawn nowhere";
+  // In JSON, the group is the place of its only object; of several, the copy gets one.
+  EXPECT_THAT(after_edit(scene_json, copy(ItemKind::primitive)),
+              HasSubstr("      \"name\": \"ball\",\n      \"translate\": [1.2, 0, 0],\n"));
+  const std::string two =
+      with(scene_json, "{\"type\": \"sphere\"", "{\"type\": \"cube\"}, {\"type\": \"sphere\"");
+  const Result<Document> document = Document::open(two, {});
+  const Result<Edit> edit = duplicate_item(*document, nth(*document, ItemKind::primitive));
+  ASSERT_TRUE(edit);
+  const std::string edited = applied(two, *edit);
+  EXPECT_THAT(edited, HasSubstr("\"groups\": [{\"translate\": [1.2, 0, 0], \"primitives\": "
+                                "[{\"type\": \"cube\"}]}]"));
+  EXPECT_EQ(edited.substr(*edit->select, 15), "{\"type\": \"cube\"");
 }
 
 TEST(Edits, ItemsMoveWithTheirComments) {

@@ -414,11 +414,18 @@ TEST_F(EditingTest, SavesUnderAnotherName) {
     answer("Cancel");
     EXPECT_FALSE(std::filesystem::exists(folder.path(wrong)));
   }
+  session.open_rows = {*session.selected};
+  const ViewCamera camera = zoomed(session.camera, 2, {0, 0, 0});
+  set_camera(session, camera);
   perform(session, Action::save_as);
   session.question->path = folder.path("c.xml");
   answer("Save");
   settle();
   EXPECT_EQ(session.path, folder.path("c.xml"));
+  EXPECT_EQ(session.shown->opened.path, session.path);
+  EXPECT_EQ(selected(), "sphere");
+  EXPECT_EQ(session.open_rows, (std::set<std::uint32_t>{*session.selected}));
+  EXPECT_EQ(session.camera, camera);
   EXPECT_THAT(folder.read("c.xml"), HasSubstr(R"(r="0.5")"));
   EXPECT_EQ(file(), testing::scene_text);
   EXPECT_FALSE(has_unsaved_edits(session));

@@ -5,6 +5,7 @@
 #include "scenefile/base/text.h"
 #include "scenefile/edit/document_state.h"
 #include "scenefile/edit/layout.h"
+#include "scenefile/edit/placing.h"
 #include "scenefile/scene/vocabulary.h"
 
 #include <fmt/format.h>
@@ -687,24 +688,56 @@ class Editor {
 
   Piece moved_piece(const SceneItem& item) const { return layout_.piece_of(item.range); }
 
-  // Whether a field of a copy has another value, and which.
-  Piece copy_of(ItemId id) const {
+  // With a name or id of its own, moved by `way`.
+  Piece copy_of(ItemId id, const glm::dvec3& way) const {
     const SceneItem& item = document_[id];
     Piece piece = moved_piece(item);
     const bool master = item.kind == ItemKind::master;
     const bool light = item.kind == ItemKind::light && syntax_.xml;
+    std::vector<TextChange> changes;
     for (const FieldView& field : document_.fields(id)) {
-      if (!field.written || !((master && field.name == "name") || (light && field.name == "id"))) {
-        continue;
+      if (field.written && ((master && field.name == "name") || (light && field.name == "id"))) {
+        const std::string value = master ? free_name(item.name) : std::to_string(free_id());
+        changes = value_changes(item, field, {value});
       }
-      const std::string value = master ? free_name(item.name) : std::to_string(free_id());
-      std::vector<TextChange> changes = value_changes(item, field, {value});
-      for (TextChange& change : changes) {
-        change.at -= item.range.from;
-      }
-      piece.moved = applied(piece.moved, edit_of(std::move(changes)));
     }
+    const Handle handle{id, glm::dmat4(1), glm::dmat4(1), light};
+    if (const Result<Edit> moved =
+            way == glm::dvec3(0) ? Edit{} : move_item(document_, handle, way)) {
+      changes.insert(changes.end(), moved->changes.begin(), moved->changes.end());
+    }
+    for (TextChange& change : changes) {
+      change.at -= item.range.from;
+    }
+    piece.moved = applied(piece.moved, edit_of(std::move(changes)));
     return piece;
+  }
+
+  // A copy beside it; `selected`: the item, or the only one in it, that is to be selected.
+  Edit duplicate(ItemId id, ItemId selected, const glm::dvec3& way) const {
+    const SceneItem& item = document_[id];
+    const bool shares_place = placed_item(document_, id) != id && way != glm::dvec3(0);
+    Piece piece = copy_of(id, shares_place ? glm::dvec3(0) : way);
+    if (shares_place) {
+      const std::string_view list = list_for(item.kind);
+      piece.moved = fmt::format(R"({{"translate": [{}, {}, {}], "{}": [{}]}})",
+                                number_text(static_cast<float>(way.x)),
+                                number_text(static_cast<float>(way.y)),
+                                number_text(static_cast<float>(way.z)), list, piece.moved);
+    }
+    Insertion change = shares_place && list_for(item.kind) != "groups"
+                           ? appended(document_[item.parent], piece)
+                           : inserted_after(item, piece);
+    if (shares_place || id != selected) {
+      change.lead = object_in(change);
+    }
+    return edit_of({change.change}, &change.change, change.lead);
+  }
+
+  // Where the first JSON object in an inserted one is.
+  static std::size_t object_in(const Insertion& change) {
+    const std::size_t inner = change.change.text.find('{', change.lead + 1);
+    return inner == std::string::npos ? change.lead : inner;
   }
 
   std::string free_name(const std::string& wanted) const {
@@ -823,7 +856,8 @@ class Editor {
 
   // New items.
 
-  Result<Edit> add(std::optional<ItemId> near, const NewItem& what) const {
+  Result<Edit> add(std::optional<ItemId> near, const NewItem& what,
+                   const std::optional<Viewpoint>& view) const {
     if (what.kind == ItemKind::camera || what.kind == ItemKind::globals) {
       const SceneItem& item = document_[what.kind == ItemKind::globals ? 0 : 1];
       if (item.written) {
@@ -837,8 +871,16 @@ class Editor {
                          syntax_[document_[*group].element].type != SyntaxPart::Type::object)) {
       return input_error("the scene has no groups; write \"groups\": [] first");
     }
-    const Insertion change = syntax_.xml ? added_xml(group, what) : added_json(*group, what);
-    return edit_of({change.change}, &change.change, change.lead);
+    const std::optional<ItemId> around =
+        syntax_.xml && what.kind == ItemKind::light ? std::nullopt : group;
+    const glm::dvec3 place = free_place(document_, around, what, view);
+    const Values at{number_text(static_cast<float>(place.x)),
+                    number_text(static_cast<float>(place.y)),
+                    number_text(static_cast<float>(place.z))};
+    const bool moved = place != glm::dvec3(0);
+    const Insertion change = syntax_.xml ? added_xml(group, what, moved ? at : Values{})
+                                         : added_json(*group, what, moved ? at : Values{});
+    return edit_of({change.change}, &change.change, syntax_.xml ? change.lead : object_in(change));
   }
 
   std::optional<ItemId> group_for(std::optional<ItemId> near) const {
@@ -856,9 +898,10 @@ class Editor {
     return std::nullopt;
   }
 
-  Insertion added_xml(std::optional<ItemId> group, const NewItem& what) const {
+  // `place`: the translation, or the position of a light; empty: none is needed.
+  Insertion added_xml(std::optional<ItemId> group, const NewItem& what, const Values& place) const {
     if (what.kind == ItemKind::light) {
-      return added_light(what.name);
+      return added_light(what.name, place);
     }
     Fresh object = element_of("object", {});
     const auto set = [&](std::string_view name, std::string_view value) {
@@ -879,6 +922,9 @@ class Editor {
       set("name", what.name);
     }
     Fresh block = element_of("transblock", {}, {std::move(object)});
+    if (!place.empty() && what.kind != ItemKind::group) {
+      block.children.insert(block.children.begin(), fresh_element(transform_fields[0], place));
+    }
     if (!group) {
       block = element_of("object", {{"type", "tree"}, {"name", "root"}}, {std::move(block)});
     }
@@ -889,13 +935,14 @@ class Editor {
                                    {&piece, 1});
   }
 
-  Insertion added_light(std::string_view type) const {
+  Insertion added_light(std::string_view type, const Values& place) const {
     std::vector<Fresh> fields;
     for (const FieldWord* const word : ordered_words(ItemKind::light, true)) {
       if (use_of(*word, type).needed) {
         fields.push_back(
             fresh_element(*word, word->kind == FieldKind::choice ? Values{std::string(type)}
                                  : word->kind == FieldKind::id   ? Values{std::to_string(free_id())}
+                                 : word->xml == "position"       ? place
                                                                  : Values{}));
       }
     }
@@ -910,15 +957,14 @@ class Editor {
     return layout_.insert_children(0, before, {&piece, 1});
   }
 
-  Insertion added_json(ItemId group, const NewItem& what) const {
+  Insertion added_json(ItemId group, const NewItem& what, const Values& place) const {
     std::vector<Fresh> members;
-    const auto translate = [&](const Values& values) {
-      members.push_back(member("translate", fresh_entry(transform_fields[0], values)));
-    };
+    const bool is_placed =
+        what.kind != ItemKind::group && what.name != ::scenefile::word_of(LightType::directional);
+    if ((is_placed && !place.empty()) || what.kind == ItemKind::instance) {
+      members.push_back(member("translate", fresh_entry(transform_fields[0], place)));
+    }
     if (what.kind == ItemKind::light) {
-      if (what.name != ::scenefile::word_of(LightType::directional)) {
-        translate({"2", "5", "3"});
-      }
       std::vector<Fresh> light;
       for (const FieldWord* const word : ordered_words(ItemKind::light, false)) {
         if (use_of(*word, what.name).needed) {
@@ -940,7 +986,6 @@ class Editor {
       members.push_back(
           member("groups", list_of({})));  // a group with only a name would be an instance
     } else {
-      translate({});
       members.push_back(member(
           "groups", list_of({object_of({member("name", literal(json_quoted(what.name)))})})));
     }
@@ -1200,7 +1245,8 @@ std::vector<NewItem> kinds_to_add(const Document& document, std::optional<ItemId
   return kinds;
 }
 
-Result<Edit> add_item(const Document& document, std::optional<ItemId> near, const NewItem& what) {
+Result<Edit> add_item(const Document& document, std::optional<ItemId> near, const NewItem& what,
+                      const std::optional<Viewpoint>& view) {
   const std::vector<NewItem> kinds = kinds_to_add(document, near);
   if (std::find(kinds.begin(), kinds.end(), what) == kinds.end()) {
     return input_error(what.kind == ItemKind::instance
@@ -1209,16 +1255,24 @@ Result<Edit> add_item(const Document& document, std::optional<ItemId> near, cons
                                          quoted(what.name))
                            : "this cannot be added here");
   }
-  return Editor(document).add(near, what);
+  return Editor(document).add(near, what, view);
 }
 
-Result<Edit> remove_item(const Document& document, ItemId selected) {
-  // In JSON, the group around a single object or light is only its place.
-  const ItemId around = document[selected].parent;
+namespace {
+
+// In JSON, the group around a single object or light is only its place.
+ItemId with_place(const Document& document, ItemId item) {
+  const ItemId around = document[item].parent;
   const bool alone =
-      !document.is_xml() && around != no_item && document[selected].kind != ItemKind::group &&
+      !document.is_xml() && around != no_item && document[item].kind != ItemKind::group &&
       document[around].kind == ItemKind::group && document[around].children.size() == 1;
-  const ItemId id = alone ? around : selected;
+  return alone ? around : item;
+}
+
+}  // namespace
+
+Result<Edit> remove_item(const Document& document, ItemId selected) {
+  const ItemId id = with_place(document, selected);
   const SceneItem& item = document[id];
   if (is_fixed(item)) {
     return input_error("every scene needs it");
@@ -1245,20 +1299,20 @@ Result<Edit> remove_item(const Document& document, ItemId selected) {
   return edit;
 }
 
-Result<Edit> duplicate_item(const Document& document, ItemId id) {
-  const SceneItem& item = document[id];
-  if (is_fixed(item)) {
+Result<Edit> duplicate_item(const Document& document, ItemId selected,
+                            const std::optional<Viewpoint>& view) {
+  const ItemId id = with_place(document, selected);
+  if (is_fixed(document[id])) {
     return input_error("a scene has only one");
   }
-  if (item.shared) {
+  if (document[id].shared) {
     return not_shared();
   }
-  const Editor editor(document);
-  const Insertion change = editor.inserted_after(item, editor.copy_of(id));
-  return edit_of({change.change}, &change.change, change.lead);
+  return Editor(document).duplicate(id, selected, way_beside(document, id, view));
 }
 
-std::optional<ItemId> neighbor_of(const Document& document, ItemId id, int step) {
+std::optional<ItemId> neighbor_of(const Document& document, ItemId selected, int step) {
+  const ItemId id = with_place(document, selected);
   const SceneItem& item = document[id];
   if (is_fixed(item) || item.shared) {
     return std::nullopt;
@@ -1272,7 +1326,8 @@ std::optional<ItemId> neighbor_of(const Document& document, ItemId id, int step)
   return document[other].shared ? std::nullopt : std::optional(other);
 }
 
-Result<Edit> reorder_item(const Document& document, ItemId id, int step) {
+Result<Edit> reorder_item(const Document& document, ItemId selected, int step) {
+  const ItemId id = with_place(document, selected);
   const std::optional<ItemId> other = neighbor_of(document, id, step);
   if (!other) {
     return document[id].shared
@@ -1284,7 +1339,7 @@ Result<Edit> reorder_item(const Document& document, ItemId id, int step) {
   const std::string& text = document.text();
   const TextChange put{there.from, there.size(), text.substr(own.from, own.size())};
   const TextChange back{own.from, own.size(), text.substr(there.from, there.size())};
-  return edit_of({put, back}, &put, document[id].range.from - own.from);
+  return edit_of({put, back}, &put, document[selected].range.from - own.from);
 }
 
 std::vector<ItemId> targets_for(const Document& document, ItemId id) {

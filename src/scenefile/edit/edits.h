@@ -59,16 +59,27 @@ struct NewItem {
   friend bool operator==(const NewItem&, const NewItem&) = default;
 };
 
+/// From where the author looks at the scene, in world space.
+struct Viewpoint {
+  glm::dvec3 eye{0};
+  glm::dvec3 at{0};
+};
+
 /// What can be added beside an item, or without one: lights, primitives, a group, instances of
 /// the templates, and the camera or global data if the file lacks them.
 std::vector<NewItem> kinds_to_add(const Document& document, std::optional<ItemId> near);
 /// Adds an item with sensible values to `near`, if that is a group, otherwise to the group of
-/// `near`; without one, to the root.
-Result<Edit> add_item(const Document& document, std::optional<ItemId> near, const NewItem& what);
+/// `near`; without one, to the root. It stands near what the author looks at, otherwise near what
+/// the scene's camera looks at, and overlaps nothing, as far as this can be known without files.
+Result<Edit> add_item(const Document& document, std::optional<ItemId> near, const NewItem& what,
+                      const std::optional<Viewpoint>& view = {});
 /// Removes an item with all that it contains; comments around it stay.
 Result<Edit> remove_item(const Document& document, ItemId item);
-/// Inserts a copy after the item. A light in XML gets a free id, a template a free name.
-Result<Edit> duplicate_item(const Document& document, ItemId item);
+/// Inserts a copy after the item, which stands beside it as the author sees it, otherwise as the
+/// scene's camera does. A light in XML gets a free id, a template a free name. In JSON, the group
+/// around a single object or light is copied with it.
+Result<Edit> duplicate_item(const Document& document, ItemId item,
+                            const std::optional<Viewpoint>& view = {});
 /// The item to exchange places with: before (-1) or after (1) it in its list.
 std::optional<ItemId> neighbor_of(const Document& document, ItemId item, int step);
 /// Exchanges an item, and the comments that belong to it, with its neighbor.

@@ -1,5 +1,7 @@
 // Edits that move, turn, scale and place items in the world.
 
+#include "scenefile/edit/placing.h"
+
 #include "scenefile/base/number.h"
 #include "scenefile/edit/document_state.h"
 #include "scenefile/edit/edits.h"
@@ -30,14 +32,6 @@ glm::dmat4 matrix_of(const DAffine& map) {
 bool is_finite(const glm::dmat4& m) {
   const double* const first = &m[0][0];
   return std::all_of(first, first + 16, [](double value) { return std::isfinite(value); });
-}
-
-// In JSON, primitives and lights have the place of their group.
-ItemId placed_item(const Document& document, ItemId id) {
-  const ItemKind kind = document[id].kind;
-  const bool own = document.is_xml() || (kind != ItemKind::primitive && kind != ItemKind::light &&
-                                         kind != ItemKind::instance);
-  return own ? id : document[id].parent;
 }
 
 glm::dmat4 world_of(const Document& document, ItemId id) {
@@ -261,6 +255,13 @@ Result<Edit> set_matrix(const Document& document, ItemId id, const std::vector<F
 }
 
 }  // namespace
+
+ItemId placed_item(const Document& document, ItemId id) {
+  const ItemKind kind = document[id].kind;
+  const bool own = document.is_xml() || (kind != ItemKind::primitive && kind != ItemKind::light &&
+                                         kind != ItemKind::instance);
+  return own ? id : document[id].parent;
+}
 
 std::optional<Handle> handle_of(const Document& document, ItemId id) {
   ItemId top = id;

@@ -230,6 +230,7 @@ void forget_edits(Session& session) {
   const std::uint64_t version = session.editing.version + 1;
   session.editing = {};
   session.editing.version = version;
+  session.editing.first_version = version;
 }
 
 void start_editing(Session& session, std::string text) {
@@ -329,6 +330,10 @@ std::optional<std::uint32_t> row_of_selected_item(Session& session) {
   const auto found = std::find_if(rows.rbegin(), rows.rend(), is_its);
   return found == rows.rend() ? std::nullopt
                               : std::optional(static_cast<std::uint32_t>(rows.rend() - found) - 1);
+}
+
+Viewpoint viewpoint_of(const Session& session) {
+  return {session.camera.position, session.camera.pivot};
 }
 
 void make_edit(Session& session, const Result<Edit>& edit) {

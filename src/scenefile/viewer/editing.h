@@ -51,6 +51,7 @@ struct Editing {
   bool new_file = false;      ///< nothing has been read or written yet
   bool named = true;          ///< the user has chosen the path
   std::uint64_t version = 0;  ///< changes with `text`; SceneOnShow::text_version says what is shown
+  std::uint64_t first_version = 0;  ///< of the texts since a scene was opened
   std::vector<EditStep> done;
   std::vector<EditStep> undone;  ///< redo_edit() takes the last
   std::optional<EditInProgress> progress;
@@ -101,6 +102,8 @@ std::optional<std::uint32_t> row_of_selected_item(Session& session);
 
 // Edits.
 
+/// From where new objects are seen.
+Viewpoint viewpoint_of(const Session& session);
 /// Makes an edit of edited_document(), or shows the error.
 void make_edit(Session& session, const Result<Edit>& edit);
 /// Begins an edit of the selected item in several steps, unless one of the same number is in

@@ -299,7 +299,7 @@ std::string title_of(const NewItem& what) {
 void build_items_to_add(Session& session, const Document& document, std::optional<ItemId> item) {
   for (const NewItem& what : kinds_to_add(document, item)) {
     if (ImGui::MenuItem(escaped(title_of(what), 80).c_str())) {
-      make_edit(session, add_item(document, item, what));
+      make_edit(session, add_item(document, item, what, viewpoint_of(session)));
       return;  // the document has changed
     }
   }

@@ -75,7 +75,9 @@ void edit_scene(Session& session, Action action) {
       break;
     case Action::duplicate: {
       const bool block = selected_item(session) && session.editing.part->block;
-      edit_selection(session, duplicate_item);
+      edit_selection(session, [&](const Document& document, ItemId item) {
+        return duplicate_item(document, item, viewpoint_of(session));
+      });
       if (block) {
         session.editing.part->block = true;
       }

@@ -187,8 +187,9 @@ void open_first_rows(Session& session) {
 }
 
 void show(Session& session, std::shared_ptr<const SceneOnShow> scene) {
-  const bool same_file =
-      session.shown != nullptr && session.shown->opened.path == scene->opened.path;
+  const bool same_file =  // perhaps under another name
+      session.shown != nullptr && (session.shown->opened.path == scene->opened.path ||
+                                   session.shown->text_version >= session.editing.first_version);
   const bool at_home = session.shown == nullptr || session.camera == session.home;
   if (same_file) {
     keep_state(session, *session.shown, *scene);

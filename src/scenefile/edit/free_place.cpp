@@ -1,0 +1,267 @@
+// Where new objects and copies may stand.
+
+#include "scenefile/base/shape.h"
+#include "scenefile/edit/placing.h"
+#include "scenefile/scene/transforms.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace scenefile {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct Extent {
+  glm::dvec3 min{infinity};
+  glm::dvec3 max{-infinity};
+
+  bool empty() const { return !(min.x <= max.x); }
+  glm::dvec3 size() const { return max - min; }
+  glm::dvec3 center() const { return 0.5 * (min + max); }
+  void add(const Extent& other) {
+    min = glm::min(min, other.min);
+    max = glm::max(max, other.max);
+  }
+  bool holds(const glm::dvec3& p) const { return p == glm::clamp(p, min, max); }
+  // More than by rounding.
+  bool overlaps(const Extent& other) const {
+    const glm::dvec3 slack = 1e-4 * glm::min(size(), other.size());
+    return glm::all(glm::lessThan(min + slack, other.max)) &&
+           glm::all(glm::lessThan(other.min + slack, max));
+  }
+};
+
+const Extent unit_extent{glm::dvec3(-0.5), glm::dvec3(0.5)};
+
+Extent around(const glm::dvec3& center, const glm::dvec3& size) {
+  return {center - 0.5 * size, center + 0.5 * size};
+}
+
+Extent placed(const DAffine& map, const Extent& extent) {
+  Extent all;
+  for (int corner = 0; corner < 8 && !extent.empty(); ++corner) {
+    const glm::dvec3 p = map.point({(corner & 1) != 0 ? extent.max.x : extent.min.x,
+                                    (corner & 2) != 0 ? extent.max.y : extent.min.y,
+                                    (corner & 4) != 0 ? extent.max.z : extent.min.z});
+    all.add({p, p});
+  }
+  return all;
+}
+
+/// What is drawn, in the space of the scene, or that of the template that contains it. By item.
+struct DrawnItems {
+  std::vector<DAffine> maps;
+  std::vector<Extent> extents;  ///< of each primitive, instance and light; others are empty
+  std::vector<ItemId> trees;    ///< the root, template or light that contains it
+  Extent scene;                 ///< of all objects
+  glm::dvec3 light_size{0.5};
+};
+
+DrawnItems drawn_items(const Document& document) {
+  const auto items = document.items();
+  DrawnItems drawn;
+  drawn.maps.resize(items.size());
+  drawn.extents.resize(items.size());
+  drawn.trees.resize(items.size());
+  std::map<std::string, Extent, std::less<>> templates;
+  for (ItemId id = 0; id < items.size(); ++id) {
+    const SceneItem& item = items[id];
+    const bool inside = item.parent != no_item;
+    drawn.trees[id] = inside ? drawn.trees[item.parent] : id;
+    DAffine& map = drawn.maps[id];
+    map = inside ? drawn.maps[item.parent] : DAffine();
+    if (item.kind > ItemKind::root && placed_item(document, id) == id) {
+      map = composed(map, document.scene().nodes[item.node].transforms);
+    }
+    if (item.kind == ItemKind::primitive) {
+      drawn.extents[id] = placed(map, unit_extent);
+    } else if (item.kind == ItemKind::instance) {
+      drawn.extents[id] = placed(map, templates[item.name]);
+    }
+    if (const SceneItem& tree = items[drawn.trees[id]]; tree.kind == ItemKind::master) {
+      templates[tree.name].add(drawn.extents[id]);
+    } else {
+      drawn.scene.add(drawn.extents[id]);
+    }
+  }
+  if (!drawn.scene.empty()) {
+    drawn.light_size = glm::dvec3(0.06 * glm::length(drawn.scene.size()));
+  }
+  for (ItemId id = 0; id < items.size(); ++id) {
+    const bool is_light =
+        items[id].kind == ItemKind::light && items[id].name != word_of(LightType::directional);
+    if (const std::optional<Handle> handle = is_light ? handle_of(document, id) : std::nullopt) {
+      drawn.extents[id] = around(glm::dvec3(handle->world_from_item[3]), drawn.light_size);
+    }
+  }
+  return drawn;
+}
+
+// The template that contains an item; no_item: none.
+ItemId master_of(const Document& document, const DrawnItems& drawn, std::optional<ItemId> item) {
+  const ItemId tree = item ? drawn.trees[*item] : no_item;
+  return item && document[tree].kind == ItemKind::master ? tree : no_item;
+}
+
+// The objects and lights of a template; no_item: of the scene.
+std::vector<Extent> obstacles_in(const Document& document, const DrawnItems& drawn, ItemId master) {
+  std::vector<Extent> obstacles;
+  for (ItemId id = 0; id < drawn.extents.size(); ++id) {
+    if (master_of(document, drawn, id) == master && !drawn.extents[id].empty()) {
+      obstacles.push_back(drawn.extents[id]);
+    }
+  }
+  return obstacles;
+}
+
+// That of the scene's camera: what it focuses on, or what is at the depth of the scene.
+Viewpoint viewpoint_of(const Document& document, const Extent& scene) {
+  constexpr ItemId camera_item = 1;
+  const Camera camera = document.scene().camera.value_or(Camera{});
+  const glm::dvec3 eye(camera.position);
+  const glm::dvec3 look(camera.look);
+  for (const FieldView& field : document.fields(camera_item)) {
+    if (field.name == "focus" && field.written) {
+      return {eye, eye + look};
+    }
+  }
+  const double depth =
+      scene.empty() ? 0
+                    : glm::dot(scene.center() - eye, look) / std::max(glm::dot(look, look), 1e-30);
+  return {eye, depth > 0 ? eye + depth * look : eye + look};
+}
+
+// The axis of the world, of x and z, that is most across the view, to the right.
+glm::dvec3 right_of(const Viewpoint& view) {
+  const glm::dvec3 right = glm::cross(view.at - view.eye, glm::dvec3(0, 1, 0));
+  return std::abs(right.x) >= std::abs(right.z) ? glm::dvec3(right.x < 0 ? -1 : 1, 0, 0)
+                                                : glm::dvec3(0, 0, right.z < 0 ? -1 : 1);
+}
+
+// How far something has to move along an axis of the world until it overlaps no obstacle. Only
+// what moves up may touch one.
+double distance_along(const glm::dvec3& way, Extent moved, const std::vector<Extent>& obstacles) {
+  constexpr int most_steps = 100;
+  const int axis = way.x != 0 ? 0 : way.y != 0 ? 1 : 2;
+  const double gap = axis == 1 ? 0 : 0.2 * moved.size()[axis];
+  double distance = 0;
+  for (int step = 0; step < most_steps; ++step) {
+    double blocked = 0;
+    for (const Extent& obstacle : obstacles) {
+      if (moved.overlaps(obstacle)) {
+        blocked = std::max(blocked, gap + (way[axis] > 0 ? obstacle.max[axis] - moved.min[axis]
+                                                         : moved.max[axis] - obstacle.min[axis]));
+      }
+    }
+    if (blocked == 0) {
+      return distance;
+    }
+    distance += blocked;
+    moved = around(moved.center() + blocked * way, moved.size());
+  }
+  return infinity;
+}
+
+// At least as much, with two digits.
+double rounded_up(double number) {
+  const double unit = std::pow(10.0, std::floor(std::log10(std::max(number, 1e-30))) - 1);
+  return std::ceil(number / unit - 1e-9) * unit;
+}
+
+// The shortest of some ways; 0 if all are too long.
+glm::dvec3 shortest(std::span<const glm::dvec3> ways, const Extent& moved,
+                    const std::vector<Extent>& obstacles) {
+  glm::dvec3 best(0);
+  double cost = infinity;
+  for (const glm::dvec3& way : ways) {
+    const double distance = distance_along(way, moved, obstacles);
+    const double own = way.y != 0 ? 2 * distance : distance;  // rather beside than above
+    if (own < cost * (1 - 1e-9)) {
+      cost = own;
+      best = (way.y != 0 ? distance : rounded_up(distance)) * way;
+    }
+  }
+  return best;
+}
+
+bool is_invertible(const DAffine& map) {
+  return std::abs(glm::determinant(map.linear)) > 1e-30;
+}
+
+}  // namespace
+
+glm::dvec3 free_place(const Document& document, std::optional<ItemId> group, const NewItem& what,
+                      const std::optional<Viewpoint>& view) {
+  const bool is_light = what.kind == ItemKind::light;
+  const DrawnItems drawn = drawn_items(document);
+  const DAffine map = group ? drawn.maps[*group] : DAffine();
+  const ItemId master = master_of(document, drawn, group);
+  Extent own = unit_extent;
+  if (what.kind == ItemKind::instance) {
+    own = {};
+    for (ItemId id = 0; id < drawn.extents.size(); ++id) {
+      const SceneItem& other = document[drawn.trees[id]];
+      if (other.kind == ItemKind::master && other.name == what.name) {
+        own.add(drawn.extents[id]);
+      }
+    }
+  }
+  if (!is_invertible(map) || own.empty()) {
+    return glm::dvec3(0);
+  }
+  const Viewpoint from = view ? *view : viewpoint_of(document, drawn.scene);
+  std::vector<Extent> obstacles = obstacles_in(document, drawn, master);
+  // Around the camera may be a room.
+  std::erase_if(obstacles, [&](const Extent& obstacle) { return obstacle.holds(from.eye); });
+  const DAffine turn(map.linear, glm::dvec3(0));
+  Extent start = placed(turn, own);
+  if (is_light) {
+    start = around(map.point({2, 5, 3}), drawn.light_size);
+  } else if (master != no_item) {
+    start = placed(map, own);
+  } else {
+    const double grid = 0.5 * std::max({start.size().x, start.size().y, start.size().z});
+    start = around(start.center() + glm::round(from.at / grid) * grid, start.size());
+  }
+  const glm::dvec3 right = right_of(from);
+  const glm::dvec3 ahead = glm::cross(glm::dvec3(0, 1, 0), right);
+  const glm::dvec3 ways[] = {right, -right, ahead, -ahead, {0, 1, 0}};
+  const glm::dvec3 place = start.center() + shortest(ways, start, obstacles);
+  const glm::dvec3 translation =
+      inverse(map).point(place) - (is_light ? glm::dvec3(0) : own.center());
+  return glm::round(translation * 1000.0) / 1000.0 + 0.0;  // no -0
+}
+
+glm::dvec3 way_beside(const Document& document, ItemId item, const std::optional<Viewpoint>& view) {
+  const DrawnItems drawn = drawn_items(document);
+  Extent own;
+  std::vector<bool> inside(drawn.extents.size());
+  for (ItemId id = 0; id < inside.size(); ++id) {
+    const ItemId parent = document[id].parent;
+    inside[id] = id == item || (parent != no_item && inside[parent]);
+    if (inside[id]) {
+      own.add(drawn.extents[id]);
+    }
+  }
+  const ItemId parent = document[item].parent;
+  const DAffine map = parent == no_item ? DAffine() : drawn.maps[parent];
+  if (own.empty() || !is_invertible(map) || document[item].kind == ItemKind::master) {
+    return glm::dvec3(0);
+  }
+  // What the original overlaps, such as the ground, is no obstacle for its copy.
+  std::vector<Extent> obstacles = obstacles_in(document, drawn, master_of(document, drawn, item));
+  std::erase_if(obstacles, [&](const Extent& obstacle) { return own.overlaps(obstacle); });
+  obstacles.push_back(own);
+  const glm::dvec3 right = right_of(view ? *view : viewpoint_of(document, drawn.scene));
+  const glm::dvec3 ways[] = {right, -right};
+  return inverse(map).linear * shortest(ways, own, obstacles) + 0.0;
+}
+
+}  // namespace scenefile

@@ -1,0 +1,24 @@
+#pragma once
+// Where items are, and where new ones may stand. Internal to edit.
+
+#include "scenefile/edit/edits.h"
+
+#include <glm/glm.hpp>
+
+#include <optional>
+
+namespace scenefile {
+
+/// The item whose transforms place an item: in JSON, primitives, lights and instances have the
+/// place of their group.
+ItemId placed_item(const Document& document, ItemId item);
+
+/// The translation of a new object or light in a group, or outside of all, so that it stands near
+/// what the author looks at and overlaps nothing. A mesh counts as a cube: its file is not read.
+glm::dvec3 free_place(const Document& document, std::optional<ItemId> group, const NewItem& what,
+                      const std::optional<Viewpoint>& view);
+/// How far a copy has to move, in the space of its original, to stand beside it, as the author sees
+/// it; 0 for what has no place.
+glm::dvec3 way_beside(const Document& document, ItemId item, const std::optional<Viewpoint>& view);
+
+}  // namespace scenefile

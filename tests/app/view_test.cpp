@@ -275,6 +275,15 @@ TEST_F(View, KeysAndPanels) {
   EXPECT_EQ(color_at(picture("alone.png"), 400 - 120, 300), 'r') << "the picture shows the window";
 }
 
+TEST_F(View, AClickInAPanelGivesTheKeyboardBack) {
+  const ProgramRun run =
+      tour("settle\nclick 675 299\nframes 4\nkey Enter\nframes 4\nkey 3\nframes 4\n" +
+           shot("fields.png") + "click 150 560\nframes 4\nkey 3\nframes 4\n" + shot("normals.png"));
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(color_at(picture("fields.png"), sphere_x, middle_y), 'r') << "the fields got the key";
+  EXPECT_EQ(color_at(picture("normals.png"), sphere_x, middle_y), 'b') << "its normal";
+}
+
 TEST_F(View, OpensScenesFromAPanel) {
   folder.write("b.xml", "<scenefile>");
   // The first click is on b.xml. The line that says what is wrong moves a.xml to its place.

@@ -151,7 +151,6 @@ void key_released(Session& session, const std::string& name) {
 
 void pointer_pressed(Session& session, int button, const KeyPress& with) {
   Pointer& pointer = session.pointer;
-  session.keyboard_in_fields = false;
   if (session.shown == nullptr || pointer.drag != Drag::none || session.question) {
     return;
   }

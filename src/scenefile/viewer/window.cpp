@@ -457,7 +457,10 @@ void Window::on_button(int button, bool down, const KeyPress& with) {
   buttons_[static_cast<std::size_t>(button)] = down;
   if (!down) {
     pointer_released(session_);
-  } else if (!ImGui::GetIO().WantCaptureMouse) {
+    return;
+  }
+  session_.keyboard_in_fields = false;  // also after a click in a panel
+  if (!ImGui::GetIO().WantCaptureMouse) {
     pointer_pressed(session_, button, with);
   }
 }

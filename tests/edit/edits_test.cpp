@@ -169,6 +169,13 @@ TEST(Edits, AddedObjectsFollowTheLayout) {
                  "\t\t\t<object type=\"primitive\" name=\"cone\">\r\n"
                  "\t\t\t\t<diffuse r=\"1\" g=\"1\" b=\"1\"/>\r\n\t\t\t</object>\r\n"
                  "\t\t</transblock>\r\n\t</object>\r\n</scenefile>"));
+  EXPECT_THAT(after_edit(scene_xml, add({ItemKind::primitive, "mesh", "a&b.obj"})),
+              HasSubstr("name=\"mesh\" filename=\"a&amp;b.obj\""));
+  EXPECT_THAT(after_edit(scene_json,
+                         [](const Document& document) {
+                           return add_item(document, {}, {ItemKind::primitive, "mesh", "a.obj"});
+                         }),
+              HasSubstr("\"type\": \"mesh\",\n          \"meshFile\": \"a.obj\""));
   EXPECT_EQ(after_edit("<scenefile/>", add({ItemKind::camera})),
             "<scenefile><cameradata><pos x=\"5\" y=\"5\" z=\"5\"/><look x=\"-1\" y=\"-1\" "
             "z=\"-1\"/><up x=\"0\" y=\"1\" z=\"0\"/><heightangle v=\"45\"/></cameradata>"
@@ -238,6 +245,11 @@ TEST(Edits, NewObjectsStandWhereTheyAreSeen) {
   EXPECT_THAT(add(scaled(R"(x="0" y="-0.1" z="0")", R"(x="9" y="0.2" z="9")"), cone),
               HasSubstr(R"(<translate x="0" y="0.5" z="0"/>)"))
       << "on the ground";
+  EXPECT_THAT(add(scaled(R"(x="0" y="-0.1" z="0")", R"(x="9" y="0.2" z="9")") +
+                      scaled(R"(x="0" y="2" z="0")", R"(x="0.4" y="4" z="0.4")"),
+                  cone),
+              HasSubstr(R"(<translate x="0.9" y="0.5" z="0"/>)"))
+      << "on the ground, beside what stands there";
   EXPECT_THAT(add(scaled(R"(x="0" y="0" z="0")", R"(x="99" y="99" z="99")"), cone),
               HasSubstr(R"(name="cube"/></transblock><transblock><object)"))
       << "the camera is in this room, too";

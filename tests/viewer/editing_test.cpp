@@ -405,7 +405,7 @@ TEST_F(EditingTest, SavesUnderAnotherName) {
   ASSERT_TRUE(session.question.has_value()) << "it exists";
   answer("Cancel");
   EXPECT_EQ(folder.read("b.xml"), "someone's");
-  for (const char* const wrong : {"c.png", "c.json"}) {
+  for (const char* const wrong : {"c.png", "c.json", "none/c.xml"}) {
     perform(session, Action::save_as);
     session.question->path = folder.path(wrong);
     answer("Save");

@@ -911,7 +911,7 @@ class Editor {
       set("type", "primitive");
       set("name", what.name);
       if (what.name == ::scenefile::word_of(Shape::mesh)) {
-        set("filename", mesh_field.start);
+        set("filename", what.file.empty() ? mesh_field.start : std::string_view(what.file));
       }
       object.children.push_back(fresh_element(primitive_fields[3], {}));
     } else if (what.kind == ItemKind::group) {
@@ -978,7 +978,8 @@ class Editor {
       std::vector<Fresh> shape;
       shape.push_back(member("type", literal(json_quoted(what.name))));
       if (what.name == ::scenefile::word_of(Shape::mesh)) {
-        shape.push_back(member("meshFile", literal(json_quoted(mesh_field.start))));
+        shape.push_back(member(
+            "meshFile", literal(json_quoted(what.file.empty() ? mesh_field.start : what.file))));
       }
       shape.push_back(member("diffuse", fresh_entry(primitive_fields[3], {})));
       members.push_back(member("primitives", list_of({object_of(std::move(shape))})));
@@ -1248,7 +1249,7 @@ std::vector<NewItem> kinds_to_add(const Document& document, std::optional<ItemId
 Result<Edit> add_item(const Document& document, std::optional<ItemId> near, const NewItem& what,
                       const std::optional<Viewpoint>& view) {
   const std::vector<NewItem> kinds = kinds_to_add(document, near);
-  if (std::find(kinds.begin(), kinds.end(), what) == kinds.end()) {
+  if (std::find(kinds.begin(), kinds.end(), NewItem{what.kind, what.name}) == kinds.end()) {
     return input_error(what.kind == ItemKind::instance
                            ? fmt::format("the template {} is not declared before this group; move "
                                          "the template up or add the instance elsewhere",

@@ -55,6 +55,7 @@ Result<Edit> set_camera(const Document& document, const Camera& camera);
 struct NewItem {
   ItemKind kind = ItemKind::primitive;
   std::string name{};  ///< type of a light, shape of a primitive, template of an instance
+  std::string file{};  ///< of a mesh, if it is known
 
   friend bool operator==(const NewItem&, const NewItem&) = default;
 };

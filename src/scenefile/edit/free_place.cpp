@@ -145,50 +145,69 @@ glm::dvec3 right_of(const Viewpoint& view) {
                                                 : glm::dvec3(0, 0, right.z < 0 ? -1 : 1);
 }
 
-// How far something has to move along an axis of the world until it overlaps no obstacle. Only
-// what moves up may touch one.
-double distance_along(const glm::dvec3& way, Extent moved, const std::vector<Extent>& obstacles) {
+// At least as much, with two digits.
+double rounded_up(double number) {
+  const double unit = std::pow(10.0, std::floor(std::log10(std::max(number, 1e-30))) - 1);
+  return std::ceil(number / unit - 1e-4) * unit;
+}
+
+// How far something has to move along an axis of the world until it overlaps no obstacle.
+double distance_along(const glm::dvec3& way, const Extent& from,
+                      const std::vector<Extent>& obstacles) {
   constexpr int most_steps = 100;
-  const int axis = way.x != 0 ? 0 : way.y != 0 ? 1 : 2;
-  const double gap = axis == 1 ? 0 : 0.2 * moved.size()[axis];
+  const int axis = way.x != 0 ? 0 : 2;
+  const double gap = 0.2 * from.size()[axis];
   double distance = 0;
   for (int step = 0; step < most_steps; ++step) {
+    const Extent now = around(from.center() + distance * way, from.size());
     double blocked = 0;
     for (const Extent& obstacle : obstacles) {
-      if (moved.overlaps(obstacle)) {
-        blocked = std::max(blocked, gap + (way[axis] > 0 ? obstacle.max[axis] - moved.min[axis]
-                                                         : moved.max[axis] - obstacle.min[axis]));
+      if (now.overlaps(obstacle)) {
+        blocked = std::max(blocked, gap + (way[axis] > 0 ? obstacle.max[axis] - now.min[axis]
+                                                         : now.max[axis] - obstacle.min[axis]));
       }
     }
     if (blocked == 0) {
       return distance;
     }
-    distance += blocked;
-    moved = around(moved.center() + blocked * way, moved.size());
+    distance = rounded_up(distance + blocked);
   }
   return infinity;
 }
 
-// At least as much, with two digits.
-double rounded_up(double number) {
-  const double unit = std::pow(10.0, std::floor(std::log10(std::max(number, 1e-30))) - 1);
-  return std::ceil(number / unit - 1e-9) * unit;
-}
-
-// The shortest of some ways; 0 if all are too long.
-glm::dvec3 shortest(std::span<const glm::dvec3> ways, const Extent& moved,
-                    const std::vector<Extent>& obstacles) {
+// The shortest way that ends where nothing is, if going up counts double; 0 if all are too long.
+// `levels`: how far up it may begin.
+glm::dvec3 shortest(std::span<const glm::dvec3> ways, std::span<const double> levels,
+                    const Extent& from, const std::vector<Extent>& obstacles) {
   glm::dvec3 best(0);
   double cost = infinity;
-  for (const glm::dvec3& way : ways) {
-    const double distance = distance_along(way, moved, obstacles);
-    const double own = way.y != 0 ? 2 * distance : distance;  // rather beside than above
-    if (own < cost * (1 - 1e-9)) {
-      cost = own;
-      best = (way.y != 0 ? distance : rounded_up(distance)) * way;
+  for (const double level : levels) {
+    const glm::dvec3 up(0, level, 0);
+    for (const glm::dvec3& way : ways) {
+      const double distance =
+          distance_along(way, around(from.center() + up, from.size()), obstacles);
+      if (2 * level + distance < cost * (1 - 1e-9)) {
+        cost = 2 * level + distance;
+        best = up + distance * way;
+      }
     }
   }
   return best;
+}
+
+// How far it has to go up to stand on the lowest of what it overlaps.
+std::vector<double> levels_above(const Extent& from, const std::vector<Extent>& obstacles) {
+  constexpr std::size_t most_levels = 6;
+  std::vector<double> levels{0};
+  for (const Extent& obstacle : obstacles) {
+    if (from.overlaps(obstacle)) {
+      levels.push_back(obstacle.max.y - from.min.y);
+    }
+  }
+  std::sort(levels.begin(), levels.end());
+  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+  levels.resize(std::min(levels.size(), most_levels));
+  return levels;
 }
 
 bool is_invertible(const DAffine& map) {
@@ -232,8 +251,9 @@ glm::dvec3 free_place(const Document& document, std::optional<ItemId> group, con
   }
   const glm::dvec3 right = right_of(from);
   const glm::dvec3 ahead = glm::cross(glm::dvec3(0, 1, 0), right);
-  const glm::dvec3 ways[] = {right, -right, ahead, -ahead, {0, 1, 0}};
-  const glm::dvec3 place = start.center() + shortest(ways, start, obstacles);
+  const glm::dvec3 ways[] = {right, -right, ahead, -ahead};
+  const glm::dvec3 place =
+      start.center() + shortest(ways, levels_above(start, obstacles), start, obstacles);
   const glm::dvec3 translation =
       inverse(map).point(place) - (is_light ? glm::dvec3(0) : own.center());
   return glm::round(translation * 1000.0) / 1000.0 + 0.0;  // no -0
@@ -261,7 +281,8 @@ glm::dvec3 way_beside(const Document& document, ItemId item, const std::optional
   obstacles.push_back(own);
   const glm::dvec3 right = right_of(view ? *view : viewpoint_of(document, drawn.scene));
   const glm::dvec3 ways[] = {right, -right};
-  return inverse(map).linear * shortest(ways, own, obstacles) + 0.0;
+  const double levels[] = {0};
+  return inverse(map).linear * shortest(ways, levels, own, obstacles) + 0.0;
 }
 
 }  // namespace scenefile

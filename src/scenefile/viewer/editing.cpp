@@ -185,6 +185,9 @@ std::string wrong_path(Session& session, const std::string& path) {
   if (is_folder(path)) {
     return escaped(path) + " is a folder";
   }
+  if (!is_folder(folder_of(path))) {
+    return "there is no folder " + escaped(folder_of(path));
+  }
   if (!is_scene_name(path)) {
     return "the name of a scene ends with .xml or .json";
   }

@@ -37,6 +37,21 @@ float drag_speed(const FieldPart& part, double value) {
   return static_cast<float>(std::max(4.0, std::abs(value)) / drag);
 }
 
+// The files of the scene's folder. Returns the one that was chosen; empty: none.
+std::string build_files(const Session& session, FileUse use, const std::string& now) {
+  std::string chosen;
+  const std::vector<std::string> files = files_to_choose(session.path, use);
+  if (files.empty()) {
+    ImGui::TextDisabled("%s", "there are none in the scene's folder");
+  }
+  for (const std::string& file : files) {
+    if (ImGui::MenuItem(escaped(file, 200).c_str(), nullptr, file == now)) {
+      chosen = file;
+    }
+  }
+  return chosen;
+}
+
 /// The widgets of one field. An edit of the selected item begins with the first change and ends
 /// when no widget is active.
 class FieldRow {
@@ -224,21 +239,15 @@ class FieldRow {
     if (ImGui::IsItemHovered()) {
       ImGui::SetTooltip("%s", "choose a file of the scene's folder");
     }
-    if (!ImGui::BeginPopup("files")) {
-      return;
-    }
-    const bool mesh = field_.name == "filename" || field_.name == "meshFile";
-    const std::vector<std::string> files =
-        files_to_choose(session_.path, mesh ? FileUse::mesh : FileUse::image);
-    if (files.empty()) {
-      ImGui::TextDisabled("%s", "there are none in the scene's folder");
-    }
-    for (const std::string& file : files) {
-      if (ImGui::Selectable(escaped(file, 200).c_str(), file == field_.parts.front().value)) {
-        change(only(0, file));
+    if (ImGui::BeginPopup("files")) {
+      const bool mesh = field_.name == "filename" || field_.name == "meshFile";
+      const std::string chosen =
+          build_files(session_, mesh ? FileUse::mesh : FileUse::image, field_.parts.front().value);
+      if (!chosen.empty()) {
+        change(only(0, chosen));
       }
+      ImGui::EndPopup();
     }
-    ImGui::EndPopup();
   }
 
   void build_remove() {
@@ -297,8 +306,17 @@ std::string title_of(const NewItem& what) {
 }
 
 void build_items_to_add(Session& session, const Document& document, std::optional<ItemId> item) {
-  for (const NewItem& what : kinds_to_add(document, item)) {
-    if (ImGui::MenuItem(escaped(title_of(what), 80).c_str())) {
+  for (NewItem what : kinds_to_add(document, item)) {
+    const std::string title = escaped(title_of(what), 80);
+    bool chosen = false;
+    if (what.kind != ItemKind::primitive || what.name != word_of(Shape::mesh)) {
+      chosen = ImGui::MenuItem(title.c_str());
+    } else if (ImGui::BeginMenu(title.c_str())) {
+      what.file = build_files(session, FileUse::mesh, {});
+      chosen = !what.file.empty();
+      ImGui::EndMenu();
+    }
+    if (chosen) {
       make_edit(session, add_item(document, item, what, viewpoint_of(session)));
       return;  // the document has changed
     }

@@ -52,6 +52,21 @@ std::string build_files(const Session& session, FileUse use, const std::string& 
   return chosen;
 }
 
+FileUse use_of(const FieldView& field) {
+  return field.name == "filename" || field.name == "meshFile" ? FileUse::mesh : FileUse::image;
+}
+
+// A menu entry for something that needs a file, which is chosen from a list.
+bool build_menu_of_files(const Session& session, const char* title, FileUse use,
+                         std::string& file) {
+  file.clear();
+  if (ImGui::BeginMenu(title)) {
+    file = build_files(session, use, {});
+    ImGui::EndMenu();
+  }
+  return !file.empty();
+}
+
 /// The widgets of one field. An edit of the selected item begins with the first change and ends
 /// when no widget is active.
 class FieldRow {
@@ -308,15 +323,9 @@ std::string title_of(const NewItem& what) {
 void build_items_to_add(Session& session, const Document& document, std::optional<ItemId> item) {
   for (NewItem what : kinds_to_add(document, item)) {
     const std::string title = escaped(title_of(what), 80);
-    bool chosen = false;
-    if (what.kind != ItemKind::primitive || what.name != word_of(Shape::mesh)) {
-      chosen = ImGui::MenuItem(title.c_str());
-    } else if (ImGui::BeginMenu(title.c_str())) {
-      what.file = build_files(session, FileUse::mesh, {});
-      chosen = !what.file.empty();
-      ImGui::EndMenu();
-    }
-    if (chosen) {
+    const bool is_mesh = what.kind == ItemKind::primitive && what.name == word_of(Shape::mesh);
+    if (is_mesh ? build_menu_of_files(session, title.c_str(), FileUse::mesh, what.file)
+                : ImGui::MenuItem(title.c_str())) {
       make_edit(session, add_item(document, item, what, viewpoint_of(session)));
       return;  // the document has changed
     }
@@ -350,12 +359,19 @@ void build_fields_to_add(Session& session, const Document& document, ItemId item
     ImGui::Separator();
   }
   for (const FieldView& field : fields) {
-    if (!field.written && !(field.transform && document.is_xml()) &&
-        ImGui::MenuItem(std::string(field.title).c_str())) {
+    if (field.written || (field.transform && document.is_xml())) {
+      continue;
+    }
+    const std::string title(field.title);
+    const bool has_file = field.kind == FieldKind::file || field.kind == FieldKind::image;
+    std::string file;
+    if (has_file ? build_menu_of_files(session, title.c_str(), use_of(field), file)
+                 : ImGui::MenuItem(title.c_str())) {
       std::vector<std::optional<std::string>> start;
       for (const FieldPart& part : field.parts) {
         start.emplace_back(part.value);
       }
+      start[0] = has_file ? file : start[0];
       make_edit(session, set_values(document, item, field, start));
       return;
     }

@@ -383,7 +383,11 @@ void build_add(Session& session, const Document& document, std::optional<ItemId>
   if (ImGui::Button("Add...") || std::exchange(session.adding, false)) {
     ImGui::OpenPopup("add");
   }
-  ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y});
+  // Above the button where there is more room.
+  const ImVec2 from = ImGui::GetItemRectMin();
+  const ImVec2 to = ImGui::GetItemRectMax();
+  const bool above = from.y > 0.6F * ImGui::GetMainViewport()->Size.y;
+  ImGui::SetNextWindowPos({from.x, above ? from.y : to.y}, 0, {0, above ? 1.0F : 0.0F});
   if (!ImGui::BeginPopup("add")) {
     return;
   }

@@ -297,7 +297,11 @@ class Laws {
     const std::string name =
         fmt::format("{} at {}", document[item].name, document[item].range.from);
     const bool faulty = has_errors(document);
-    if (const auto wrapped = after(document, wrap_in_group(document, item), "wrap " + name)) {
+    const Result<Edit> wrap = wrap_in_group(document, item);
+    if (const auto wrapped = after(document, wrap, "wrap " + name)) {
+      const std::optional<ItemId> found = item_from(*wrapped, wrap->select);
+      require(faulty || (found && (*wrapped)[*found].kind == ItemKind::group),
+              "wrap " + name + ": nothing to select\n" + wrapped->text());
       // In JSON, the objects of a group come before those of the groups in it.
       const bool reordered = !document.is_xml() && (document[item].kind == ItemKind::light ||
                                                     document[item].kind == ItemKind::primitive);

@@ -813,8 +813,17 @@ class Editor {
     shell.moved = fmt::format("{{\"{}\": [{}]}}", list, piece.moved);
     shell.indent = piece.indent;
     std::vector<TextChange> changes = removal_of(item);
-    changes.push_back(appended(document_[item.parent], shell).change);
-    return edit_of(merged(std::move(changes)));
+    const Insertion change = appended(document_[item.parent], shell);
+    std::size_t place = change.change.at + change.lead;
+    for (const TextChange& removed : changes) {
+      if (removed.at <= change.change.at) {
+        place += removed.text.size() - std::min(removed.size, change.change.at - removed.at);
+      }
+    }
+    changes.push_back(change.change);
+    Edit edit = edit_of(merged(std::move(changes)));
+    edit.select = static_cast<std::uint32_t>(place);
+    return edit;
   }
 
   Edit wrap_xml(const SceneItem& item, const Piece& piece) const {
@@ -1387,8 +1396,8 @@ Result<Edit> move_into(const Document& document, ItemId id, ItemId target) {
   return edit_of(std::move(changes), &change.change, change.lead);
 }
 
-Result<Edit> wrap_in_group(const Document& document, ItemId id) {
-  const SceneItem& item = document[id];
+Result<Edit> wrap_in_group(const Document& document, ItemId selected) {
+  const SceneItem& item = document[with_place(document, selected)];
   if (is_fixed(item) || item.kind == ItemKind::master ||
       (document.is_xml() && item.kind == ItemKind::light)) {
     return input_error("only objects can be put into a group");

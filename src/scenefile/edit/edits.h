@@ -49,7 +49,8 @@ Result<Edit> move_transform(const Document& document, ItemId item, const FieldVi
 /// unless reading the result gives the same scene with that camera.
 Result<Edit> set_camera(const Document& document, const Camera& camera);
 
-// Items.
+// Items. In JSON, the group around a single object or light is only its place, and is copied,
+// removed, reordered and wrapped with it.
 
 /// Something that add_item() can add.
 struct NewItem {
@@ -77,8 +78,7 @@ Result<Edit> add_item(const Document& document, std::optional<ItemId> near, cons
 /// Removes an item with all that it contains; comments around it stay.
 Result<Edit> remove_item(const Document& document, ItemId item);
 /// Inserts a copy after the item, which stands beside it as the author sees it, otherwise as the
-/// scene's camera does. A light in XML gets a free id, a template a free name. In JSON, the group
-/// around a single object or light is copied with it.
+/// scene's camera does. A light in XML gets a free id, a template a free name.
 Result<Edit> duplicate_item(const Document& document, ItemId item,
                             const std::optional<Viewpoint>& view = {});
 /// The item to exchange places with: before (-1) or after (1) it in its list.

@@ -318,6 +318,19 @@ class Laws {
                 "move " + name + ": items\n" + moved->text());
         require(found && (*moved)[*found].name == document[item].name,
                 "move " + name + ": lost\n" + moved->text());
+        const std::optional<Handle> before = handle_of(document, item);
+        const std::optional<Handle> now =
+            found && before && before->item == item ? handle_of(*moved, *found) : std::nullopt;
+        if (now && std::abs(glm::determinant(glm::dmat3(now->world_from_space))) > 1e-6) {
+          const glm::dmat4 by = now->world_from_item - before->world_from_item;
+          double size = 1;
+          double error = 0;
+          for (int column = 0; column < 4; ++column) {
+            size = std::max(size, glm::length(before->world_from_item[column]));
+            error = std::max(error, glm::length(by[column]));
+          }
+          require(faulty || error < 1e-3 * size, "move " + name + ": elsewhere\n" + moved->text());
+        }
       }
     }
   }

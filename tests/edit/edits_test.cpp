@@ -298,6 +298,39 @@ TEST(Edits, CopiesStandBesideTheirOriginals) {
   EXPECT_EQ(edited.substr(*edit->select, 15), "{\"type\": \"cube\"");
 }
 
+TEST(Edits, AnObjectEntersAndLeavesAGroup) {
+  const std::string legs = R"(<transblock><translate x="0" y="1" z="0"/><object type="tree">)" +
+                           std::string(cube_block) + "</object></transblock>";
+  const auto into = [](bool enters) {
+    return [=](const Document& document) -> Result<Edit> {
+      const ItemId first = nth(document, ItemKind::primitive);
+      const ItemId item = document[first].name == "cone" ? first : first + 1;
+      const auto group = enters ? group_to_enter(document, item) : group_outside(document, item);
+      return group ? move_into(document, item, *group) : Result<Edit>(Error{"none"});
+    };
+  };
+  const std::string cone =
+      R"(<transblock><translate x="2" y="0" z="0"/><object type="primitive" name="cone"/></transblock>)";
+  const std::string text = seen_from_the_front(legs + cone);
+  const std::string inside = after_edit(text, into(true));
+  EXPECT_THAT(inside,
+              HasSubstr(std::string(cube_block) +
+                        R"(<transblock><translate x="2" y="-1" z="0"/><object type="prim)"));
+  EXPECT_EQ(after_edit(inside, into(true)), "error: none");
+  EXPECT_EQ(after_edit(inside, into(false)), text);
+  EXPECT_EQ(after_edit(text, into(false)), "error: none");
+  // In JSON, the group of a single object is its place: it is none to enter, and goes along.
+  const std::string json =
+      with(scene_json, "      \"name\": \"ball\",", R"(      "groups": [{}],)");
+  const auto enter_json = [](const Document& document) -> Result<Edit> {
+    const ItemId item = nth(document, ItemKind::light);
+    const std::optional<ItemId> group = group_to_enter(document, item);
+    return group ? move_into(document, item, *group) : Result<Edit>(Error{"none"});
+  };
+  EXPECT_EQ(after_edit(scene_json, enter_json), "error: none");
+  EXPECT_THAT(after_edit(json, enter_json), HasSubstr("\"groups\": [{}, {"));
+}
+
 TEST(Edits, ItemsMoveWithTheirComments) {
   const std::string edited = after_edit(scene_xml, [](const Document& document) {
     return reorder_item(document, nth(document, ItemKind::instance), 1);

@@ -305,6 +305,27 @@ TEST_F(EditingTest, TheCopyOfATransblockIsSelectedAsOne) {
   EXPECT_EQ(session.shown->outline.rows[*session.selected].kind, RowKind::group);
 }
 
+TEST_F(EditingTest, ObjectsEnterAndLeaveGroupsByKeys) {
+  select_label("sphere");
+  perform(session, Action::enter_group);
+  EXPECT_EQ(text(), testing::scene_text) << "there is no group";
+  EXPECT_TRUE(session.notice->bad);
+  perform(session, Action::wrap);
+  settle();
+  select_label("cube");
+  perform(session, Action::enter_group);
+  settle();
+  EXPECT_EQ(selected(), "cube");
+  const std::string inside = text();
+  EXPECT_NE(inside, testing::scene_text);
+  perform(session, Action::leave_group);
+  settle();
+  EXPECT_EQ(selected(), "cube");
+  EXPECT_NE(text(), inside);
+  perform(session, Action::undo);
+  EXPECT_EQ(text(), inside);
+}
+
 TEST_F(EditingTest, QuittingGoesOnAfterAConflict) {
   select_label("sphere");
   drag_value("diffuse", 0, "0.5");

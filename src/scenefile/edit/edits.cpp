@@ -691,7 +691,6 @@ class Editor {
   // With a name or id of its own, moved by `way`.
   Piece copy_of(ItemId id, const glm::dvec3& way) const {
     const SceneItem& item = document_[id];
-    Piece piece = moved_piece(item);
     const bool master = item.kind == ItemKind::master;
     const bool light = item.kind == ItemKind::light && syntax_.xml;
     std::vector<TextChange> changes;
@@ -706,11 +705,34 @@ class Editor {
             way == glm::dvec3(0) ? Edit{} : move_item(document_, handle, way)) {
       changes.insert(changes.end(), moved->changes.begin(), moved->changes.end());
     }
+    return changed_piece(item, std::move(changes));
+  }
+
+  // An item after changes within it.
+  Piece changed_piece(const SceneItem& item, std::vector<TextChange> changes) const {
+    Piece piece = moved_piece(item);
     for (TextChange& change : changes) {
       change.at -= item.range.from;
     }
     piece.moved = applied(piece.moved, edit_of(std::move(changes)));
     return piece;
+  }
+
+  // With the transforms that it needs to stay where it is in the world, if they can say so.
+  Piece piece_for(ItemId id, ItemId group) const {
+    const SceneItem& item = document_[id];
+    std::optional<Handle> handle = handle_of(document_, id);
+    const std::optional<Handle> there = handle_of(document_, group);
+    const bool is_root = document_[group].kind == ItemKind::root;
+    if (handle && handle->item == id && (there || is_root)) {
+      const glm::dmat4 space = there ? there->world_from_item : glm::dmat4(1);
+      if (std::exchange(handle->world_from_space, space) != space) {
+        if (const Result<Edit> edit = place_item(document_, *handle, handle->world_from_item)) {
+          return changed_piece(item, edit->changes);
+        }
+      }
+    }
+    return moved_piece(item);
   }
 
   // A copy beside it; `selected`: the item, or the only one in it, that is to be selected.
@@ -1352,7 +1374,8 @@ Result<Edit> reorder_item(const Document& document, ItemId selected, int step) {
   return edit_of({put, back}, &put, document[selected].range.from - own.from);
 }
 
-std::vector<ItemId> targets_for(const Document& document, ItemId id) {
+std::vector<ItemId> targets_for(const Document& document, ItemId selected) {
+  const ItemId id = with_place(document, selected);
   const SceneItem& item = document[id];
   const bool xml = document.is_xml();
   if (is_fixed(item) || item.kind == ItemKind::master || item.shared ||
@@ -1376,7 +1399,31 @@ std::vector<ItemId> targets_for(const Document& document, ItemId id) {
   return targets;
 }
 
-Result<Edit> move_into(const Document& document, ItemId id, ItemId target) {
+std::optional<ItemId> group_to_enter(const Document& document, ItemId selected) {
+  const ItemId id = with_place(document, selected);
+  const std::vector<ItemId> targets = targets_for(document, id);
+  std::optional<ItemId> found;
+  for (const ItemId target : targets) {
+    const SceneItem& group = document[target];
+    const bool is_place =
+        group.children.size() == 1 && with_place(document, group.children[0]) == target;
+    const bool before = group.range.from < document[id].range.from;
+    if (group.parent == document[id].parent && group.kind == ItemKind::group && !is_place &&
+        (before || !found)) {
+      found = target;
+    }
+  }
+  return found;
+}
+
+std::optional<ItemId> group_outside(const Document& document, ItemId selected) {
+  const ItemId parent = document[with_place(document, selected)].parent;
+  const ItemId outside = parent == no_item ? no_item : document[parent].parent;
+  return outside == no_item ? std::nullopt : std::optional(outside);
+}
+
+Result<Edit> move_into(const Document& document, ItemId selected, ItemId target) {
+  const ItemId id = with_place(document, selected);
   const std::vector<ItemId> targets = targets_for(document, id);
   const SceneItem& item = document[id];
   if (item.shared) {
@@ -1389,8 +1436,11 @@ Result<Edit> move_into(const Document& document, ItemId id, ItemId target) {
                              "and that comes after the templates it uses");
   }
   const Editor editor(document);
-  const Insertion change =
-      editor.appended(document[target], editor.moved_piece(item), list_for(item.kind));
+  Insertion change =
+      editor.appended(document[target], editor.piece_for(id, target), list_for(item.kind));
+  if (id != selected) {
+    change.lead = Editor::object_in(change);
+  }
   std::vector<TextChange> changes = editor.removal_of(item);
   changes.push_back(change.change);
   return edit_of(std::move(changes), &change.change, change.lead);

@@ -50,7 +50,7 @@ Result<Edit> move_transform(const Document& document, ItemId item, const FieldVi
 Result<Edit> set_camera(const Document& document, const Camera& camera);
 
 // Items. In JSON, the group around a single object or light is only its place, and is copied,
-// removed, reordered and wrapped with it.
+// removed, reordered, moved and wrapped with it.
 
 /// Something that add_item() can add.
 struct NewItem {
@@ -87,8 +87,13 @@ std::optional<ItemId> neighbor_of(const Document& document, ItemId item, int ste
 Result<Edit> reorder_item(const Document& document, ItemId item, int step);
 /// The groups, templates and root that an item can be moved into.
 std::vector<ItemId> targets_for(const Document& document, ItemId item);
-/// Moves an item to the end of another group. Its transforms do not change, its place in the world
-/// may: place_item() can restore it.
+/// The nearest group in the same group as an item, rather before it than after it, that the item
+/// can be moved into.
+std::optional<ItemId> group_to_enter(const Document& document, ItemId item);
+/// The group around that of an item.
+std::optional<ItemId> group_outside(const Document& document, ItemId item);
+/// Moves an item to the end of another group. It stays where it is in the world, unless it shares
+/// its place, one of both is part of a template, or a group is scaled to nothing.
 Result<Edit> move_into(const Document& document, ItemId item, ItemId group);
 /// Puts an item into a new group at its place, without moving it in the world.
 Result<Edit> wrap_in_group(const Document& document, ItemId item);

@@ -36,6 +36,8 @@ enum class Action : std::uint8_t {
   remove,
   earlier,
   later,
+  enter_group,
+  leave_group,
   wrap,
   handles,
   row_above,

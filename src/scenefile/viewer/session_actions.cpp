@@ -95,6 +95,17 @@ void edit_scene(Session& session, Action action) {
         return reorder_item(document, item, action == Action::earlier ? -1 : 1);
       });
       break;
+    case Action::enter_group:
+    case Action::leave_group:
+      edit_selection(session, [&](const Document& document, ItemId item) -> Result<Edit> {
+        const bool enters = action == Action::enter_group;
+        const std::optional<ItemId> group =
+            enters ? group_to_enter(document, item) : group_outside(document, item);
+        return group ? move_into(document, item, *group)
+                     : Result<Edit>(input_error(enters ? "no group is beside it; Ctrl+G makes one"
+                                                       : "it is not in a group"));
+      });
+      break;
     case Action::save:
       save_scene(session);
       break;

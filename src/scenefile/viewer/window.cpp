@@ -422,7 +422,10 @@ void Window::on_key(const KeyPress& key, bool down) {
     }
     return;
   }
-  const bool of_field = !key.control || (typing && (key.name == "C" || key.name == "Z"));
+  constexpr std::array<std::string_view, 4> keys_of_text{"C", "Z", "Left", "Right"};
+  const bool of_text =
+      std::find(keys_of_text.begin(), keys_of_text.end(), key.name) != keys_of_text.end();
+  const bool of_field = !key.control || (typing && of_text);
   if (session_.question || !(typing || popup || session_.keyboard_in_fields)) {
     key_pressed(session_, key);
   } else if (!of_field && action_of(key) != nullptr) {

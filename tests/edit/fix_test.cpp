@@ -116,6 +116,9 @@ const std::vector<FixCase> xml_cases{
      R"(<object type="primitive" name="box"/>)"},
     {"UnknownElement", R"(<object type="primitive" name="cube"><mood v="1"/></object>)",
      R"(<object type="primitive" name="cube"><mood v="1"/></object>)"},
+    {"OpeningTag",
+     R"(<object type="tree"><transblock><objct type="primitive" name="cube"></object></transblock></object>)",
+     R"(<object type="tree"><transblock><object type="primitive" name="cube"></object></transblock></object>)"},
 };
 
 const std::vector<FixCase> json_cases{

@@ -43,6 +43,13 @@ TEST(XmlSyntax, MisspelledClosingTagsAreSuggested) {
   }
 }
 
+TEST(XmlSyntax, MisspelledOpeningTagsAreSuggested) {
+  EXPECT_EQ(said(in_root("<transblock>\n<objct type=\"primitive\" name=\"cube\">\n</object>\n"
+                         "</transblock>"))
+                .back(),
+            "4:1 <objct> is closed by </object> of line 5; did you mean <object>?");
+}
+
 TEST(XmlSyntax, AFileThatEndsInAnElement) {
   EXPECT_THAT(said("<scenefile>\n<object type=\"tree\" name=\"root\">\n"),
               ElementsAre(HasSubstr("the file ends inside <object>, opened at line 2")));

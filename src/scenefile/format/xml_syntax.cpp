@@ -168,6 +168,22 @@ std::string_view closing_name(std::string_view text, std::size_t at) {
   return name_at(rest.substr(rest.starts_with("</") ? 2 : 0));
 }
 
+// A closing tag of an element whose opening tag is misspelled, within another of that name.
+Cause misspelled_start(std::string_view text, std::size_t at, std::span<const OpenElement> open) {
+  const std::string_view closing = closing_name(text, at);
+  const bool is_open = std::any_of(open.begin(), open.end(),
+                                   [&](const OpenElement& e) { return e.name == closing; });
+  if (!is_open || holds_elements(open.back().name) ||
+      nearest_name(open.back().name, std::span(&closing, 1)).empty()) {
+    return {};
+  }
+  const OpenElement& inner = open.back();
+  return SyntaxCause{&xml_syntax, inner.at,
+                     fmt::format("<{0}> is closed by </{1}> of line {2}; did you mean <{1}>?",
+                                 escaped(inner.name, 40), escaped(closing, 40), line_of(text, at)),
+                     correction(inner.name, closing)};
+}
+
 // A closing tag after a value that is not closed, because the / of its tag is missing.
 Cause unclosed_element(std::string_view text, std::size_t at, std::span<const OpenElement> open) {
   auto outer = open.rbegin();
@@ -198,7 +214,8 @@ std::optional<SyntaxCause> find_cause(SyntaxFault fault, std::string_view text, 
     return {};
   }
   if (fault == SyntaxFault::tag_mismatch) {
-    for (const Cause& cause : {closed_twice(text, at), unclosed_element(text, at, open)}) {
+    for (const Cause& cause : {closed_twice(text, at), misspelled_start(text, at, open),
+                               unclosed_element(text, at, open)}) {
       if (cause) {
         return cause;
       }

@@ -253,6 +253,9 @@ TEST(Edits, NewObjectsStandWhereTheyAreSeen) {
   EXPECT_THAT(add(scaled(R"(x="0" y="0" z="0")", R"(x="99" y="99" z="99")"), cone),
               HasSubstr(R"(name="cube"/></transblock><transblock><object)"))
       << "the camera is in this room, too";
+  EXPECT_THAT(add(scaled(R"(x="1e308" y="1e308" z="-1e308")", R"(x="1e300" y="1e300" z="1e300")"),
+                  cone, Viewpoint{{0, 0, 0}, {1e300, 1e308, 0}}),
+              Not(HasSubstr("nan")));
   // In a group, by its units; the center of what it sees is at the edge of the group's cube.
   EXPECT_THAT(add(R"(<transblock><translate x="1" y="0" z="0"/><scale x="2" y="2" z="2"/>)"
                   R"(<object type="tree">)" +

@@ -60,7 +60,8 @@ struct DrawnItems {
   std::vector<DAffine> maps;
   std::vector<Extent> extents;  ///< of each primitive, instance and light; others are empty
   std::vector<ItemId> trees;    ///< the root, template or light that contains it
-  Extent scene;                 ///< of all objects
+  std::map<std::string, Extent, std::less<>> templates;  ///< by name, in their own space
+  Extent scene;                                          ///< of all objects
   glm::dvec3 light_size{0.5};
 };
 
@@ -70,7 +71,6 @@ DrawnItems drawn_items(const Document& document) {
   drawn.maps.resize(items.size());
   drawn.extents.resize(items.size());
   drawn.trees.resize(items.size());
-  std::map<std::string, Extent, std::less<>> templates;
   for (ItemId id = 0; id < items.size(); ++id) {
     const SceneItem& item = items[id];
     const bool inside = item.parent != no_item;
@@ -83,10 +83,10 @@ DrawnItems drawn_items(const Document& document) {
     if (item.kind == ItemKind::primitive) {
       drawn.extents[id] = placed(map, unit_extent);
     } else if (item.kind == ItemKind::instance) {
-      drawn.extents[id] = placed(map, templates[item.name]);
+      drawn.extents[id] = placed(map, drawn.templates[item.name]);
     }
     if (const SceneItem& tree = items[drawn.trees[id]]; tree.kind == ItemKind::master) {
-      templates[tree.name].add(drawn.extents[id]);
+      drawn.templates[tree.name].add(drawn.extents[id]);
     } else {
       drawn.scene.add(drawn.extents[id]);
     }
@@ -154,11 +154,11 @@ double rounded_up(double number) {
 // How far something has to move along an axis of the world until it overlaps no obstacle.
 double distance_along(const glm::dvec3& way, const Extent& from,
                       const std::vector<Extent>& obstacles) {
-  constexpr int most_steps = 100;
+  constexpr std::size_t most_looks = 4'000'000;
   const int axis = way.x != 0 ? 0 : 2;
   const double gap = 0.2 * from.size()[axis];
   double distance = 0;
-  for (int step = 0; step < most_steps; ++step) {
+  for (std::size_t looks = 0; looks <= most_looks; looks += obstacles.size()) {
     const Extent now = around(from.center() + distance * way, from.size());
     double blocked = 0;
     for (const Extent& obstacle : obstacles) {
@@ -210,6 +210,11 @@ std::vector<double> levels_above(const Extent& from, const std::vector<Extent>& 
   return levels;
 }
 
+// Without -0; 0 if it is not finite.
+glm::dvec3 finite(const glm::dvec3& v) {
+  return std::isfinite(glm::dot(v, v)) ? v + 0.0 : glm::dvec3(0);
+}
+
 bool is_invertible(const DAffine& map) {
   return std::abs(glm::determinant(map.linear)) > 1e-30;
 }
@@ -219,19 +224,10 @@ bool is_invertible(const DAffine& map) {
 glm::dvec3 free_place(const Document& document, std::optional<ItemId> group, const NewItem& what,
                       const std::optional<Viewpoint>& view) {
   const bool is_light = what.kind == ItemKind::light;
-  const DrawnItems drawn = drawn_items(document);
+  DrawnItems drawn = drawn_items(document);
   const DAffine map = group ? drawn.maps[*group] : DAffine();
   const ItemId master = master_of(document, drawn, group);
-  Extent own = unit_extent;
-  if (what.kind == ItemKind::instance) {
-    own = {};
-    for (ItemId id = 0; id < drawn.extents.size(); ++id) {
-      const SceneItem& other = document[drawn.trees[id]];
-      if (other.kind == ItemKind::master && other.name == what.name) {
-        own.add(drawn.extents[id]);
-      }
-    }
-  }
+  const Extent own = what.kind == ItemKind::instance ? drawn.templates[what.name] : unit_extent;
   if (!is_invertible(map) || own.empty()) {
     return glm::dvec3(0);
   }
@@ -256,7 +252,7 @@ glm::dvec3 free_place(const Document& document, std::optional<ItemId> group, con
       start.center() + shortest(ways, levels_above(start, obstacles), start, obstacles);
   const glm::dvec3 translation =
       inverse(map).point(place) - (is_light ? glm::dvec3(0) : own.center());
-  return glm::round(translation * 1000.0) / 1000.0 + 0.0;  // no -0
+  return finite(glm::round(translation * 1000.0) / 1000.0);
 }
 
 glm::dvec3 way_beside(const Document& document, ItemId item, const std::optional<Viewpoint>& view) {
@@ -282,7 +278,7 @@ glm::dvec3 way_beside(const Document& document, ItemId item, const std::optional
   const glm::dvec3 right = right_of(view ? *view : viewpoint_of(document, drawn.scene));
   const glm::dvec3 ways[] = {right, -right};
   const double levels[] = {0};
-  return inverse(map).linear * shortest(ways, levels, own, obstacles) + 0.0;
+  return finite(inverse(map).linear * shortest(ways, levels, own, obstacles));
 }
 
 }  // namespace scenefile

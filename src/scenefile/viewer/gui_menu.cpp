@@ -81,6 +81,8 @@ bool is_possible(const Session& session, Action action) {
     case Action::remove:
     case Action::earlier:
     case Action::later:
+    case Action::enter_group:
+    case Action::leave_group:
     case Action::wrap:
     case Action::edit_fields:
       return session.selected.has_value();

@@ -378,12 +378,17 @@ void build_fields_to_add(Session& session, const Document& document, ItemId item
   }
 }
 
-void build_add(Session& session, const Document& document, std::optional<ItemId> item,
-               const std::vector<FieldView>& fields) {
+// Opens the list of what can be added. Returns whether it is open.
+bool build_add_button(Session& session) {
   if (ImGui::Button("Add...") || std::exchange(session.adding, false)) {
     ImGui::OpenPopup("add");
   }
-  // Above the button where there is more room.
+  return ImGui::IsPopupOpen("add");
+}
+
+// Below the button; above it where there is more room.
+void build_add_list(Session& session, const Document& document, std::optional<ItemId> item,
+                    const std::vector<FieldView>& fields) {
   const ImVec2 from = ImGui::GetItemRectMin();
   const ImVec2 to = ImGui::GetItemRectMax();
   const bool above = from.y > 0.6F * ImGui::GetMainViewport()->Size.y;
@@ -484,7 +489,9 @@ void build_object(Session& session, const GuiFrame& /*frame*/) {
   }
   const Document document = *session.editing.document;  // edits replace it
   const std::vector<FieldView> fields = item ? document.fields(*item) : std::vector<FieldView>();
-  build_add(session, document, item, fields);
+  if (build_add_button(session)) {
+    build_add_list(session, document, item, fields);
+  }
   if (row.kind == RowKind::camera) {
     build_button(session, "Use this view", Action::use_view);
   } else if (item && document[*item].kind != ItemKind::globals &&
@@ -513,14 +520,15 @@ void build_object(Session& session, const GuiFrame& /*frame*/) {
 
 void build_no_object(Session& session) {
   // Large scenes are only read as documents once they are edited.
-  if (!session.adding && !ImGui::IsPopupOpen("add")) {
-    session.adding = ImGui::Button("Add...");
-  } else if (edited_document(session) != nullptr) {
-    const Document document = *session.editing.document;  // edits replace it
-    build_add(session, document, std::nullopt, {});
-  } else {
-    session.adding = false;
-    say(session, "this scene cannot be edited: " + session.editing.refusal, true);
+  if (build_add_button(session)) {
+    if (edited_document(session) != nullptr) {
+      const Document document = *session.editing.document;  // edits replace it
+      build_add_list(session, document, std::nullopt, {});
+    } else if (ImGui::BeginPopup("add")) {
+      ImGui::TextDisabled("%s",
+                          escaped("cannot be edited: " + session.editing.refusal, 300).c_str());
+      ImGui::EndPopup();
+    }
   }
   ImGui::SameLine();
   ImGui::TextDisabled("%s", "click something to edit it");

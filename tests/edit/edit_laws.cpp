@@ -283,7 +283,11 @@ class Laws {
       const bool fixed = kind.kind == ItemKind::camera || kind.kind == ItemKind::globals;
       require(fixed || found.has_value(),
               "add to " + name + ": nothing to select\n" + added->text());
-      if (found && !fixed && (*added)[*found].kind != ItemKind::root) {
+      const auto items = document.items();
+      const bool has_root = std::any_of(items.begin(), items.end(), [](const SceneItem& one) {
+        return one.kind == ItemKind::root;
+      });
+      if (found && !fixed && has_root) {
         const Result<Edit> removal = remove_item(*added, *found);
         require(removal && dense(applied(added->text(), *removal)) == dense(document.text()),
                 "add " + kind.name + " to " + name + ": removing it\n" + added->text() + "\n=>\n" +

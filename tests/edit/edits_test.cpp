@@ -231,6 +231,13 @@ TEST(Edits, NewObjectsStandWhereTheyAreSeen) {
     });
   };
   const NewItem cone{ItemKind::primitive, "cone"};
+  EXPECT_THAT(add("", cone, Viewpoint{{0, 0, 8}, {0, 0, 7.5}}),
+              HasSubstr(R"(<translate x="0" y="0" z="4"/>)"))
+      << "not too near";
+  const Result<Document> empty = Document::open("<scenefile></scenefile>", {});
+  const Result<Edit> first = add_item(*empty, {}, cone);
+  ASSERT_TRUE(first);
+  EXPECT_EQ(applied(empty->text(), *first).substr(*first->select, 11), "<transblock");
   EXPECT_THAT(add("", cone), Not(HasSubstr("translate")));
   EXPECT_THAT(add(std::string(cube_block), cone), HasSubstr(R"(<translate x="1.2" y="0" z="0"/>)"));
   EXPECT_THAT(add("", cone, Viewpoint{{20, 0, 8}, {20.1, 0, 0}}),

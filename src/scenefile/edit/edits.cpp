@@ -962,8 +962,10 @@ class Editor {
     const PartId parent = group ? document_[*group].element : 0;
     const std::vector<PartId>& children = syntax_[parent].children;
     const Piece piece{std::move(block), {}};
-    return layout_.insert_children(parent, children.empty() ? no_part : children.back(),
-                                   {&piece, 1});
+    Insertion change =
+        layout_.insert_children(parent, children.empty() ? no_part : children.back(), {&piece, 1});
+    change.lead = group ? change.lead : change.change.text.find("<transblock");
+    return change;
   }
 
   Insertion added_light(std::string_view type, const Values& place) const {

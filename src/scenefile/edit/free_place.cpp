@@ -242,8 +242,11 @@ glm::dvec3 free_place(const Document& document, std::optional<ItemId> group, con
   } else if (master != no_item) {
     start = placed(map, own);
   } else {
-    const double grid = 0.5 * std::max({start.size().x, start.size().y, start.size().z});
-    start = around(start.center() + glm::round(from.at / grid) * grid, start.size());
+    // So far away that all of it is in view.
+    const double size = std::max({start.size().x, start.size().y, start.size().z});
+    const glm::dvec3 way = from.at - from.eye;
+    const glm::dvec3 at = from.eye + way * std::max(1.0, 4 * size / glm::length(way));
+    start = around(start.center() + glm::round(at / (0.5 * size)) * (0.5 * size), start.size());
   }
   const glm::dvec3 right = right_of(from);
   const glm::dvec3 ahead = glm::cross(glm::dvec3(0, 1, 0), right);

@@ -20,6 +20,7 @@
 #include <atomic>
 #include <cctype>
 #include <cmath>
+#include <initializer_list>
 #include <memory>
 #include <utility>
 
@@ -402,7 +403,7 @@ bool Window::types_in_field() const {
 
 // Who gets a key: a question, a field in which text is typed, an open list, the fields of the
 // selection, and then the window. Shortcuts with Ctrl are always the window's, except for those
-// that fields have too.
+// that fields have too; so are keys that fields only need while text is typed.
 void Window::on_key(const KeyPress& key, bool down) {
   stir();
   if (!down) {
@@ -422,10 +423,14 @@ void Window::on_key(const KeyPress& key, bool down) {
     }
     return;
   }
-  constexpr std::array<std::string_view, 4> keys_of_text{"C", "Z", "Left", "Right"};
-  const bool of_text =
-      std::find(keys_of_text.begin(), keys_of_text.end(), key.name) != keys_of_text.end();
-  const bool of_field = !key.control || (typing && of_text);
+  const auto is_one_of = [&](std::initializer_list<std::string_view> names) {
+    return std::find(names.begin(), names.end(), key.name) != names.end();
+  };
+  const bool of_field =
+      typing  ? !key.control || is_one_of({"C", "Z", "Left", "Right"})
+      : popup ? !key.control
+              : !key.control && is_one_of({"Up", "Down", "Left", "Right", "Tab", "Enter", "Space",
+                                           "Home", "End", "Page Up", "Page Down"});
   if (session_.question || !(typing || popup || session_.keyboard_in_fields)) {
     key_pressed(session_, key);
   } else if (!of_field && action_of(key) != nullptr) {

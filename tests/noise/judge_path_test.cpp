@@ -230,6 +230,43 @@ TEST_F(Judge, FindsOtherRowsInToneMappedPictures) {
   EXPECT_EQ(names(judge_path(truth, picture).causes), "vertical-flip ");
 }
 
+TEST_F(Judge, SaysWhyNothingCanBeCompared) {
+  DecodedPicture picture = shown(drawn());
+  std::fill(picture.texture.rgb.begin(), picture.texture.rgb.end(), std::uint8_t(255));
+  const PathVerdict white = judge_path(truth, picture);
+  EXPECT_EQ(white.tested, 0);
+  EXPECT_EQ(names(white.partial), "clipped ");
+  DecodedPicture nothing = drawn();
+  for (float& value : nothing.linear.rgb) {
+    value = std::nanf("");
+  }
+  const PathVerdict verdict = judge_path(truth, nothing);
+  EXPECT_EQ(names(verdict.notes), "nothing-to-compare ");
+  EXPECT_FALSE(verdict.right || verdict.too_noisy);
+}
+
+TEST_F(Judge, NamesBlackPictures) {
+  DecodedPicture picture = drawn();
+  std::fill(picture.linear.rgb.begin(), picture.linear.rgb.end(), 0.0f);
+  EXPECT_EQ(names(judge_path(truth, picture).causes), "black ");
+}
+
+TEST(SmallPictures, AreJudged) {
+  const Room room = plain_room();
+  for (const int width : {1, 3, 20}) {
+    const RenderOptions options = path_options(width, 1, 64);
+    const TraceScene traced(room.scene, room.assets);
+    PathTruth truth;
+    ASSERT_EQ(draw_truth(traced, room.scene, options, 0, 64, {}, truth), RenderStatus::complete);
+    DecodedPicture picture;
+    picture.linear = render_path(room.scene, room.assets, options, {.traced = &traced}).image;
+    picture.texture = quantize(picture.linear, Rounding::nearest);
+    const PathVerdict verdict = judge_path(truth, picture);
+    EXPECT_TRUE(verdict.causes.empty()) << width;
+    EXPECT_LT(verdict.chi2_per_value, 100) << width;
+  }
+}
+
 TEST_F(Judge, NamesPicturesWithoutReflectedLight) {
   DecodedPicture picture = drawn();
   for (float& value : picture.linear.rgb) {

@@ -181,4 +181,17 @@ ObservedBlocks observe(const TruthBlocks& back, const LinearPicture& picture) {
   return result;
 }
 
+std::vector<const BlockColors*> gradients(const TruthBlocks& back, const MeasuredBlocks& measured) {
+  std::vector<const BlockColors*> columns;
+  for (const BlockColors* gradient : {&back.gradient_x, &back.gradient_y}) {
+    for (std::size_t b = 0; b < gradient->size(); ++b) {
+      if (measured.weight[b] * (*gradient)[b] != Color(0)) {
+        columns.push_back(gradient);
+        break;
+      }
+    }
+  }
+  return columns;
+}
+
 }  // namespace scenefile

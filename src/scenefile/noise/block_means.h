@@ -63,7 +63,7 @@ class TruthBlocks {
     return result;
   }
 
-  /// Mean luminance outside of blocks that are left out.
+  /// Sum of the luminance outside of blocks that are left out.
   double energy(const BlockColors& light) const {
     double sum_of = 0;
     for (std::size_t b = 0; b < light.size(); ++b) {
@@ -101,5 +101,8 @@ struct ObservedBlocks {
 };
 
 ObservedBlocks observe(const TruthBlocks& back, const LinearPicture& picture);
+
+/// What a shift to the right and down changes, without a direction in which nothing changes.
+std::vector<const BlockColors*> gradients(const TruthBlocks& back, const MeasuredBlocks& measured);
 
 }  // namespace scenefile

@@ -103,8 +103,8 @@ std::vector<PathPlace> places_of(const TruthBlocks& back, const MeasuredBlocks& 
   for (const BlockColors& light : lights) {
     columns.push_back(&light);
   }
-  columns.push_back(&back.gradient_x);
-  columns.push_back(&back.gradient_y);
+  const std::vector<const BlockColors*> shifts = gradients(back, measured);
+  columns.insert(columns.end(), shifts.begin(), shifts.end());
   const BlockFit found = fit(measured, fixed, columns);
   chi2 = found.chi2;
   for (std::size_t i = 0; i < places.size() && found.solved; ++i) {
@@ -130,11 +130,19 @@ void add_energy(const TruthBlocks& back, const MeasuredBlocks& measured, PathVer
                                    static_cast<double>(back.truth.blocks()));
   }
   for (const BlockColors& light : lights) {
-    columns.push_back(&light);
+    if (back.energy(light) > 0) {
+      columns.push_back(&light);
+    }
   }
   const BlockFit found = fit(measured, back.lamp, columns);
-  for (std::size_t i = 0; i < lights.size() && found.solved; ++i) {
-    verdict.energy_mine.push_back(found.factors[i] * verdict.energy_truth[i]);
+  if (!found.solved) {
+    return;
+  }
+  std::size_t column = 0;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const bool is_fitted = back.energy(lights[i]) > 0;
+    verdict.energy_mine.push_back(is_fitted ? found.factors[column] * verdict.energy_truth[i] : 0);
+    column += is_fitted ? 1 : 0;
   }
 }
 
@@ -280,7 +288,8 @@ struct Explanation {
     bool general = false;
     for (const PathModel& m : reading.models) {
       const bool first = &m == &best;
-      if (m.deviance > best.deviance + tie || m.plain_chi2 > best.plain_chi2 + tie ||
+      if (m.kind != best.kind || m.deviance > best.deviance + tie ||
+          m.plain_chi2 > best.plain_chi2 + tie ||
           (!first && (general || best.edits > 1 || m.edits > 1))) {
         continue;
       }
@@ -346,6 +355,7 @@ void explain(const TruthBlocks& back, const Reading& reading, PathVerdict& verdi
   const bool better = two && (!complete || (best.edits > 1 && best.chi2 > 2 * reading.values() &&
                                             two->score() < best.score()));
   if (better && reading.is_complete(*two) && explanation.counts(*two)) {
+    verdict.chi2_per_value = two->chi2 / reading.values();
     explanation.claim_pair(*two);
   } else if (!complete) {
     if (!explanation.claim_kind()) {
@@ -469,6 +479,41 @@ void name_growth(const TruthBlocks& back, const LinearPicture& picture, PathVerd
   }
 }
 
+// Whether most of the picture is clipped where the truth is not; without lamps.
+bool is_too_bright(const TruthBlocks& back, const DecodedPicture& mine) {
+  std::size_t all = 0;
+  std::size_t clipped = 0;
+  std::size_t bright = 0;
+  for (std::size_t b = 0; b < back.truth.blocks(); ++b) {
+    for_each_pixel(back.truth, b, [&](int, int, std::size_t at) {
+      if (back.left_out[b] == 0) {
+        const auto* const rgb = &mine.texture.rgb[3 * at];
+        const Color& truth = back.truth.pixels[at];
+        ++all;
+        clipped += std::max({rgb[0], rgb[1], rgb[2]}) == 255 ? 1 : 0;
+        bright += std::max({truth.x, truth.y, truth.z}) >= 1 ? 1 : 0;
+      }
+    });
+  }
+  return !mine.is_linear() && 2 * clipped > all && 2 * bright < all;
+}
+
+// Why no block can be compared.
+PathClaim why_nothing(const TruthBlocks& back, const DecodedPicture& mine) {
+  if (is_too_bright(back, mine)) {
+    return {Cause::brightness, "clipped",
+            "most of the picture is brighter than the file can hold, and the truth is not: direct "
+            "light has too large a factor, or light grows from bounce to bounce, as without the "
+            "cosine, 1 / pi or the density of directions, or with a wrong probability of going on",
+            "", 0};
+  }
+  return {
+      Cause::brightness, "nothing-to-compare",
+      "nothing can be compared: too many pixels are clipped or not finite, or the picture shows "
+      "only lamps and what is next to them",
+      "", 0};
+}
+
 }  // namespace
 
 PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
@@ -481,13 +526,9 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
   verdict.significance.resize(truth.blocks());
   verdict.errors.resize(truth.blocks());
   verdict.mine.resize(truth.blocks());
-  if (readings.empty()) {
-    verdict.partial.push_back(
-        {Cause::brightness, "clipped",
-         "most of the picture is brighter than the file can hold, and the truth is not: direct "
-         "light has too large a factor, or light grows from bounce to bounce, as without the "
-         "cosine, 1 / pi or the density of directions, or with a wrong probability of going on",
-         "", 0});
+  if (readings.empty() || readings.front().seen.tested == 0) {
+    (is_too_bright(back, mine) ? verdict.partial : verdict.notes)
+        .push_back(why_nothing(back, mine));
     return verdict;
   }
   const Reading& reading = readings.front();
@@ -528,7 +569,8 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
   if (unexplained()) {
     explain_file(back, mine, readings, verdict);
   }
-  if (!mine.is_linear() && reading.screen.parameter == gamma_twice && verdict.causes.empty()) {
+  if (!mine.is_linear() && reading.screen.curve == ToneCurve::power &&
+      reading.screen.parameter == gamma_twice && verdict.causes.empty()) {
     verdict.causes.push_back({Cause::gamma, "gamma",
                               "gamma is applied twice: values are those of linear light to the "
                               "power of about 1 / 4.4",
@@ -547,23 +589,30 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
     name_places(reading, chi2, verdict);
   }
   const bool explained_by_convention = !verdict.conventions.empty();
-  const auto shift = [&](std::size_t axis) {
-    const std::size_t at = reading.right.free.size() + axis;
+  const std::vector<const BlockColors*> shifts = gradients(back, reading.seen.measured);
+  const auto shift = [&](const BlockColors& gradient) {
+    const auto column = std::find(shifts.begin(), shifts.end(), &gradient);
+    if (column == shifts.end() || !reading.right.fit.solved) {
+      return 0.0;
+    }
+    const auto at = reading.right.free.size() + static_cast<std::size_t>(column - shifts.begin());
     const double value = reading.right.fit.factors[at];
     return std::abs(value) > 0.25 && std::abs(value) > claim_errors * reading.right.fit.errors[at]
                ? value
                : 0;
   };
-  if (verdict.causes.empty() && verdict.partial.empty() && (shift(0) != 0 || shift(1) != 0)) {
+  const double right = -shift(back.gradient_x);
+  const double down = -shift(back.gradient_y);
+  if (verdict.causes.empty() && verdict.partial.empty() && (right != 0 || down != 0)) {
     verdict.conventions.push_back(
         {Cause::half_pixel_shift, "pixel-corners",
          "the picture is shifted by a part of a pixel, as if rays went through the corners of "
          "pixels",
-         fmt::format("{:.2f} to the right, {:.2f} down", -shift(0), -shift(1)), 0});
+         fmt::format("{:.2f} to the right, {:.2f} down", right, down), 0});
   }
   if (verdict.causes.empty() && verdict.partial.empty()) {
     const double shown =
-        (explained_by_convention ? reading.models.front() : reading.right).chi2 / reading.values();
+        explained_by_convention ? verdict.chi2_per_value : reading.right.chi2 / reading.values();
     double error = 0;
     for (const PathPlace& place : verdict.places) {
       error = std::max(error, place.share > 0.15 ? place.error : 0);
@@ -573,7 +622,8 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
     if (reading.seen.relative_noise > too_much_noise ||
         (claim_errors * error > hidden && shown < 2 && verdict.largest < limit)) {
       verdict.too_noisy = true;
-      verdict.more_samples = std::pow(claim_errors * error / hidden, 2);
+      verdict.more_samples = std::pow(
+          std::max(claim_errors * error / hidden, reading.seen.relative_noise / too_much_noise), 2);
       name_growth(back, reading.picture, verdict);
     } else {
       verdict.right = shown < 2 && (explained_by_convention || verdict.largest < limit);

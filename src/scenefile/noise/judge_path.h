@@ -11,7 +11,7 @@
 // A difference counts if it exceeds `claim_errors` standard errors and `least_effect` of the light
 // that it concerns. For normal noise, the significance level of all tests together is then below
 // 1e-6 (Sidak's correction); the margin allows for the heavy tails of path tracing. A mistake is
-// named if it leaves at most a tenth of the excess over the noise, and no other one explains the
+// named if it leaves at most 15 % of the excess over the noise, and no other one explains the
 // picture as well.
 
 #include "scenefile/asset/image_file.h"

@@ -248,13 +248,16 @@ std::vector<Meaning> meanings(const PathTruth& truth, const PathModel& m,
        {"glossy-lobe", "the glossy lobe"}}};
   const auto* const place = std::find_if(places.begin(), places.end(),
                                          [&](const auto& row) { return row.first == m.name; });
-  if (place != places.end() && !m.free.empty()) {
+  if (place != places.end() && m.what.empty()) {
     if (m.name == "first-direct" && std::abs(f) < 0.03) {
       return {{Cause::light_samples, "direct", factor_words(place->second, f)}};
     }
     general = true;
     return {{m.page, m.name == "glossy-lobe" ? "glossy" : m.name + "-factor",
              factor_words(place->second, f)}};
+  }
+  if (m.name == "no-reflected-light" && whole && *whole < 0.03) {
+    return {{Cause::black, "black", "the picture is black, lamps too"}};
   }
   std::string what = m.what;
   if (!m.free.empty() && m.edits == 2) {

@@ -420,7 +420,7 @@ std::vector<PathModel> ModelSearch::models() const {
            1,
            0,
            1,
-           noise});
+           combined(back_.zero, count * count, noise)});
     } else {
       add({ModelKind::mistake,
            row.page,

@@ -45,7 +45,7 @@ class ModelSearch {
  public:
   ModelSearch(const TruthBlocks& back, const ObservedBlocks& seen, bool any_exposure)
       : back_(back), seen_(seen), measured_(seen.measured), any_exposure_(any_exposure) {
-    nuisance_ = {&back.gradient_x, &back.gradient_y};
+    nuisance_ = gradients(back, seen.measured);
   }
 
   void solve(PathModel& model) const;

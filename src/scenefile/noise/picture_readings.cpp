@@ -64,7 +64,7 @@ std::optional<double> white_by_lamps(const TruthBlocks& back, const DecodedPictu
     const double value = luminance(curve == ToneCurve::course ? shown * shown : shown);
     // value = L (1 + L / w^2) / (1 + L)
     const double square = bright * bright / std::max(1e-9, value * (1 + bright) - bright);
-    whites.push_back(value >= 0.99 ? bright : std::sqrt(std::clamp(square, bright * bright, 1e12)));
+    whites.push_back(value >= 0.99 ? bright : std::max(bright, std::sqrt(std::min(square, 1e12))));
   }
   return whites.size() < 4 ? std::nullopt : std::optional<double>(median_of(whites));
 }
@@ -135,7 +135,8 @@ void sort_by_cost(std::vector<Reading>& readings) {
 }
 
 bool is_mostly_clipped(const TruthBlocks& back, const Reading& reading) {
-  return 3 * reading.seen.tested <= back.truth.blocks();
+  const auto candidates = std::count(back.left_out.begin(), back.left_out.end(), 0);
+  return 3 * reading.seen.tested <= static_cast<std::size_t>(candidates);
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ std::string path_verdict_text(const PathVerdict& v) {
     text += fmt::format(
         "cannot tell: too noisy; about {:.0f} times as many samples per pixel would do\n",
         few_digits(v.more_samples));
-  } else if (v.causes.empty() && v.partial.empty()) {
+  } else if (v.causes.empty() && v.partial.empty() && v.tested > 0) {
     text += "different; no known mistake explains it\n";
   }
   text += fmt::format(
@@ -91,6 +91,9 @@ std::string path_verdict_text(const PathVerdict& v) {
   for (const PathPlace& place : v.places) {
     text += fmt::format("  {}: {:.3f} +- {:.3f} of the truth's ({:.1f} % of it)\n", place.name,
                         place.factor, place.error, 100 * place.share);
+  }
+  if (v.tested == 0) {
+    return text;
   }
   text += fmt::format("  noise as of {:.0f} samples per pixel; the truth has {:.0f}\n", v.samples,
                       v.truth_samples);

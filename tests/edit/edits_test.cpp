@@ -263,6 +263,18 @@ TEST(Edits, NewObjectsStandWhereTheyAreSeen) {
   EXPECT_THAT(add(scaled(R"(x="1e308" y="1e308" z="-1e308")", R"(x="1e300" y="1e300" z="1e300")"),
                   cone, Viewpoint{{0, 0, 0}, {1e300, 1e308, 0}}),
               Not(HasSubstr("nan")));
+  EXPECT_THAT(add(R"(<transblock><scale x="4" y="4" z="4"/><translate x="0" y="1.5e38" z="0"/>)"
+                  R"(<scale x="3e38" y="3e38" z="3e38"/><object type="primitive" name="cube"/>)"
+                  "</transblock>",
+                  cone, Viewpoint{{0, -1, 8}, {0, 0, 0}}),
+              Not(HasSubstr("inf")))
+      << "what a float cannot hold";
+  EXPECT_THAT(add(R"(<transblock><scale x="0.0001" y="0.0001" z="0.0001"/><object type="tree"/>)"
+                  "</transblock>" +
+                      scaled(R"(x="0" y="0" z="0")", R"(x="19.99998" y="40" z="19.99998")"),
+                  cone, Viewpoint{{0, 0, 50}, {0, 0, 0}}),
+              HasSubstr(R"(<translate x="100000.61" y="0" z="0"/>)"))
+      << "a gap that is lost when the distance is rounded";
   // In a group, by its units; the center of what it sees is at the edge of the group's cube.
   EXPECT_THAT(add(R"(<transblock><translate x="1" y="0" z="0"/><scale x="2" y="2" z="2"/>)"
                   R"(<object type="tree">)" +
@@ -276,6 +288,19 @@ TEST(Edits, NewObjectsStandWhereTheyAreSeen) {
                            return add_item(document, {}, {ItemKind::light, "point"});
                          }),
               HasSubstr(R"(<position x="2.6" y="5" z="3"/>)"));
+}
+
+TEST(Edits, TheCameraIsNotInATemplate) {
+  const std::string text = with(seen_from_the_front(""), R"(<object type="tree" name="root">)",
+                                R"(<object type="tree" name="box">)" + std::string(cube_block) +
+                                    R"(</object><object type="tree" name="root">)");
+  EXPECT_THAT(after_edit(text,
+                         [](const Document& document) {
+                           return add_item(document, nth(document, ItemKind::master),
+                                           {ItemKind::primitive, "cone"},
+                                           Viewpoint{{0, 0, 0.2}, {0, 0, 0}});
+                         }),
+              HasSubstr(R"(<translate x="1.2" y="0" z="0"/>)"));
 }
 
 TEST(Edits, CopiesStandBesideTheirOriginals) {
@@ -339,6 +364,10 @@ TEST(Edits, AnObjectEntersAndLeavesAGroup) {
   };
   EXPECT_EQ(after_edit(scene_json, enter_json), "error: none");
   EXPECT_THAT(after_edit(json, enter_json), HasSubstr("\"groups\": [{}, {"));
+  const std::string two =
+      with(scene_json, "{\"type\": \"sphere\"", "{\"type\": \"cube\"}, {\"type\": \"sphere\"");
+  EXPECT_EQ(after_edit(two, into(false)),
+            "error: it shares its group with others; put it into a new group first");
 }
 
 TEST(Edits, ItemsMoveWithTheirComments) {

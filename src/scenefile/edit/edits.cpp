@@ -1432,8 +1432,11 @@ Result<Edit> move_into(const Document& document, ItemId selected, ItemId target)
     return not_shared();
   }
   if (std::find(targets.begin(), targets.end(), target) == targets.end()) {
-    return input_error(target == item.parent
-                           ? "it is in that group already"
+    const bool needs_group = !document.is_xml() && document[target].kind == ItemKind::root &&
+                             list_for(item.kind) != "groups";
+    return input_error(target == item.parent ? "it is in that group already"
+                       : needs_group
+                           ? "it shares its group with others; put it into a new group first"
                            : "it cannot be in that group: choose a group that is not part of it, "
                              "and that comes after the templates it uses");
   }

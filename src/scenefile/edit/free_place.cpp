@@ -170,7 +170,8 @@ double distance_along(const glm::dvec3& way, const Extent& from,
     if (blocked == 0) {
       return distance;
     }
-    distance = rounded_up(distance + blocked);
+    const double next = rounded_up(distance + blocked);
+    distance = next > distance ? next : distance + blocked;
   }
   return infinity;
 }
@@ -210,9 +211,9 @@ std::vector<double> levels_above(const Extent& from, const std::vector<Extent>& 
   return levels;
 }
 
-// Without -0; 0 if it is not finite.
+// Without -0; 0 if a float cannot hold it.
 glm::dvec3 finite(const glm::dvec3& v) {
-  return std::isfinite(glm::dot(v, v)) ? v + 0.0 : glm::dvec3(0);
+  return glm::length(v) < 1e30 ? v + 0.0 : glm::dvec3(0);
 }
 
 bool is_invertible(const DAffine& map) {
@@ -233,8 +234,10 @@ glm::dvec3 free_place(const Document& document, std::optional<ItemId> group, con
   }
   const Viewpoint from = view ? *view : viewpoint_of(document, drawn.scene);
   std::vector<Extent> obstacles = obstacles_in(document, drawn, master);
-  // Around the camera may be a room.
-  std::erase_if(obstacles, [&](const Extent& obstacle) { return obstacle.holds(from.eye); });
+  // Around the camera may be a room; a template is not where the camera is.
+  std::erase_if(obstacles, [&](const Extent& obstacle) {
+    return master == no_item && obstacle.holds(from.eye);
+  });
   const DAffine turn(map.linear, glm::dvec3(0));
   Extent start = placed(turn, own);
   if (is_light) {

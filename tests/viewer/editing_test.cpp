@@ -624,6 +624,10 @@ TEST_F(EditingTest, TheConeOfAJsonLightHasHandles) {
   drag_line(4, 1, {-20, 0});
   EXPECT_GT(std::stod(field("angle").parts[0].value), 32);
   EXPECT_EQ(field("penumbra").parts[0].value, "10");
+  perform(session, Action::undo);
+  settle();
+  drag_line(4, 1, {400, 0});
+  EXPECT_EQ(field("angle").parts[0].value, "10") << "not 10.000001";
 }
 
 TEST_F(EditingTest, PartsOfTemplatesMoveTheCopyThatWasClicked) {

@@ -255,9 +255,7 @@ class FieldRow {
       ImGui::SetTooltip("%s", "choose a file of the scene's folder");
     }
     if (ImGui::BeginPopup("files")) {
-      const bool mesh = field_.name == "filename" || field_.name == "meshFile";
-      const std::string chosen =
-          build_files(session_, mesh ? FileUse::mesh : FileUse::image, field_.parts.front().value);
+      const std::string chosen = build_files(session_, use_of(field_), field_.parts.front().value);
       if (!chosen.empty()) {
         change(only(0, chosen));
       }

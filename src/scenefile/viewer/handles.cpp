@@ -187,8 +187,11 @@ double cone_angle(const Session& session, const GraspedHandle& grasped, SpotEdge
 Result<Edit> edit_cone(const Session& session, const GraspedHandle& grasped, bool steps,
                        const EditInProgress& progress) {
   const bool is_outer = grasped.number == 4;
-  const double outer = glm::degrees(double{grasped.set.spot->outer_angle});
-  const double inner = glm::degrees(double{grasped.set.spot->inner_angle});
+  const auto degrees = [](double radians) {  // as in the file: a float has fewer digits
+    return std::round(glm::degrees(radians) * 1e4) / 1e4;
+  };
+  const double outer = degrees(grasped.set.spot->outer_angle);
+  const double inner = degrees(grasped.set.spot->inner_angle);
   const double angle = cone_angle(session, grasped, is_outer ? SpotEdge::outer : SpotEdge::inner,
                                   is_outer ? outer : inner);
   const double step = steps ? 1 : 0.1;

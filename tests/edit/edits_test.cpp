@@ -12,6 +12,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::StartsWith;
 using Make = std::function<Result<Edit>(const Document&)>;
 
 std::string after_edit(const std::string& text, const Make& make) {
@@ -331,6 +332,11 @@ TEST(Edits, CopiesStandBesideTheirOriginals) {
   EXPECT_THAT(edited, HasSubstr("\"groups\": [{\"translate\": [1.2, 0, 0], \"primitives\": "
                                 "[{\"type\": \"cube\"}]}]"));
   EXPECT_EQ(edited.substr(*edit->select, 15), "{\"type\": \"cube\"");
+  const std::string odd = with(scene_json, "\"ball\"", "\"{ball\"");
+  const Result<Document> named = Document::open(odd, {});
+  const Result<Edit> copied = duplicate_item(*named, nth(*named, ItemKind::primitive));
+  ASSERT_TRUE(copied);
+  EXPECT_THAT(applied(odd, *copied).substr(*copied->select), StartsWith("{\"type\": \"sphere\""));
 }
 
 TEST(Edits, AnObjectEntersAndLeavesAGroup) {

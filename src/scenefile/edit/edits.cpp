@@ -718,7 +718,7 @@ class Editor {
     return piece;
   }
 
-  // With the transforms that it needs to stay where it is in the world, if they can say so.
+  // With the transforms that keep it where it is in the world, if there are such.
   Piece piece_for(ItemId id, ItemId group) const {
     const SceneItem& item = document_[id];
     std::optional<Handle> handle = handle_of(document_, id);
@@ -751,15 +751,26 @@ class Editor {
                            ? appended(document_[item.parent], piece)
                            : inserted_after(item, piece);
     if (shares_place || id != selected) {
-      change.lead = object_in(change);
+      change.lead = object_in(change, shares_place ? 1 : braces_before(id, selected));
     }
     return edit_of({change.change}, &change.change, change.lead);
   }
 
-  // Where the first JSON object in an inserted one is.
-  static std::size_t object_in(const Insertion& change) {
-    const std::size_t inner = change.change.text.find('{', change.lead + 1);
-    return inner == std::string::npos ? change.lead : inner;
+  // How many braces open in an item, names included, before one that it contains.
+  std::ptrdiff_t braces_before(ItemId id, ItemId inner) const {
+    const std::string_view text = state_.text;
+    const std::size_t from = document_[id].range.from;
+    const std::string_view before = text.substr(from, document_[inner].range.from - from);
+    return std::count(before.begin(), before.end(), '{');
+  }
+
+  // Where the JSON object after that many braces of an inserted one is.
+  static std::size_t object_in(const Insertion& change, std::ptrdiff_t braces = 1) {
+    std::size_t at = change.lead;
+    for (; braces > 0 && at != std::string::npos; --braces) {
+      at = change.change.text.find('{', at + 1);
+    }
+    return at == std::string::npos ? change.lead : at;
   }
 
   std::string free_name(const std::string& wanted) const {
@@ -1444,7 +1455,7 @@ Result<Edit> move_into(const Document& document, ItemId selected, ItemId target)
   Insertion change =
       editor.appended(document[target], editor.piece_for(id, target), list_for(item.kind));
   if (id != selected) {
-    change.lead = Editor::object_in(change);
+    change.lead = Editor::object_in(change, editor.braces_before(id, selected));
   }
   std::vector<TextChange> changes = editor.removal_of(item);
   changes.push_back(change.change);

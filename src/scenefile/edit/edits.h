@@ -87,13 +87,13 @@ std::optional<ItemId> neighbor_of(const Document& document, ItemId item, int ste
 Result<Edit> reorder_item(const Document& document, ItemId item, int step);
 /// The groups, templates and root that an item can be moved into.
 std::vector<ItemId> targets_for(const Document& document, ItemId item);
-/// The nearest group in the same group as an item, rather before it than after it, that the item
-/// can be moved into.
+/// The nearest group in the same group as an item that the item can be moved into: the last one
+/// before it, or else the first one after it.
 std::optional<ItemId> group_to_enter(const Document& document, ItemId item);
 /// The group around that of an item.
 std::optional<ItemId> group_outside(const Document& document, ItemId item);
 /// Moves an item to the end of another group. It stays where it is in the world, unless it shares
-/// its place, one of both is part of a template, or a group is scaled to nothing.
+/// its place with others, it or the group is part of a template, or a group is scaled to nothing.
 Result<Edit> move_into(const Document& document, ItemId item, ItemId group);
 /// Puts an item into a new group at its place, without moving it in the world.
 Result<Edit> wrap_in_group(const Document& document, ItemId item);

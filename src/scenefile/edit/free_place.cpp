@@ -145,7 +145,7 @@ glm::dvec3 right_of(const Viewpoint& view) {
                                                 : glm::dvec3(0, 0, right.z < 0 ? -1 : 1);
 }
 
-// At least as much, with two digits.
+// At least as much, apart from rounding errors, with two digits.
 double rounded_up(double number) {
   const double unit = std::pow(10.0, std::floor(std::log10(std::max(number, 1e-30))) - 1);
   return std::ceil(number / unit - 1e-4) * unit;
@@ -196,7 +196,7 @@ glm::dvec3 shortest(std::span<const glm::dvec3> ways, std::span<const double> le
   return best;
 }
 
-// How far it has to go up to stand on the lowest of what it overlaps.
+// How far up it stands on something that it overlaps, the lowest few, and 0.
 std::vector<double> levels_above(const Extent& from, const std::vector<Extent>& obstacles) {
   constexpr std::size_t most_levels = 6;
   std::vector<double> levels{0};
@@ -245,7 +245,7 @@ glm::dvec3 free_place(const Document& document, std::optional<ItemId> group, con
   } else if (master != no_item) {
     start = placed(map, own);
   } else {
-    // So far away that all of it is in view.
+    // Far enough away that all of it is in view.
     const double size = std::max({start.size().x, start.size().y, start.size().z});
     const glm::dvec3 way = from.at - from.eye;
     const glm::dvec3 at = from.eye + way * std::max(1.0, 4 * size / glm::length(way));

@@ -360,6 +360,10 @@ TEST(Edits, AnObjectEntersAndLeavesAGroup) {
   EXPECT_EQ(after_edit(inside, into(true)), "error: none");
   EXPECT_EQ(after_edit(inside, into(false)), text);
   EXPECT_EQ(after_edit(text, into(false)), "error: none");
+  const std::string part = with(with(text, "name=\"root\"", "name=\"part\""), "</scenefile>",
+                                R"(<object type="tree" name="root"/></scenefile>)");
+  EXPECT_THAT(after_edit(part, into(true)), HasSubstr(R"(<translate x="2" y="-1" z="0"/>)"));
+  EXPECT_EQ(after_edit(after_edit(part, into(true)), into(false)), part) << "within a template";
   // In JSON, the group of a single object is its place: it is none to enter, and goes along.
   const std::string json =
       with(scene_json, "      \"name\": \"ball\",", R"(      "groups": [{}],)");

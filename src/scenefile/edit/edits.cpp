@@ -718,13 +718,14 @@ class Editor {
     return piece;
   }
 
-  // With the transforms that keep it where it is in the world, if there are such.
+  // With the transforms that keep it where it is in the world or template, if there are such.
   Piece piece_for(ItemId id, ItemId group) const {
     const SceneItem& item = document_[id];
-    std::optional<Handle> handle = handle_of(document_, id);
-    const std::optional<Handle> there = handle_of(document_, group);
-    const bool is_root = document_[group].kind == ItemKind::root;
-    if (handle && handle->item == id && (there || is_root)) {
+    std::optional<Handle> handle = handle_in_tree(document_, id);
+    const std::optional<Handle> there = handle_in_tree(document_, group);
+    const bool is_top = document_[group].kind == ItemKind::root ||
+                        (syntax_.xml && document_[group].kind == ItemKind::master);
+    if (handle && handle->item == id && (there || is_top) && top_of(id) == top_of(group)) {
       const glm::dmat4 space = there ? there->world_from_item : glm::dmat4(1);
       if (std::exchange(handle->world_from_space, space) != space) {
         if (const Result<Edit> edit = place_item(document_, *handle, handle->world_from_item)) {

@@ -93,7 +93,7 @@ std::optional<ItemId> group_to_enter(const Document& document, ItemId item);
 /// The group around that of an item.
 std::optional<ItemId> group_outside(const Document& document, ItemId item);
 /// Moves an item to the end of another group. It stays where it is in the world, unless it shares
-/// its place with others, it or the group is part of a template, or a group is scaled to nothing.
+/// its place with others, enters or leaves a template, or a group is scaled to nothing.
 Result<Edit> move_into(const Document& document, ItemId item, ItemId group);
 /// Puts an item into a new group at its place, without moving it in the world.
 Result<Edit> wrap_in_group(const Document& document, ItemId item);

@@ -268,9 +268,10 @@ std::optional<Handle> handle_of(const Document& document, ItemId id) {
   while (document[top].parent != no_item) {
     top = document[top].parent;
   }
-  if (document[top].kind == ItemKind::master) {
-    return std::nullopt;
-  }
+  return document[top].kind == ItemKind::master ? std::nullopt : handle_in_tree(document, id);
+}
+
+std::optional<Handle> handle_in_tree(const Document& document, ItemId id) {
   Handle handle;
   if (document.is_xml() && document[id].kind == ItemKind::light) {
     const std::vector<FieldView> fields = document.fields(id);

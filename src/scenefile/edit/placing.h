@@ -13,6 +13,9 @@ namespace scenefile {
 /// place of their group.
 ItemId placed_item(const Document& document, ItemId item);
 
+/// The same as handle_of(), also of a part of a template: then in the template's space.
+std::optional<Handle> handle_in_tree(const Document& document, ItemId item);
+
 /// The translation of a new object or light in a group, or outside of all, so that it stands near
 /// what the author looks at and overlaps nothing. A mesh counts as a cube: its file is not read.
 glm::dvec3 free_place(const Document& document, std::optional<ItemId> group, const NewItem& what,

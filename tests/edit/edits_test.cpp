@@ -378,6 +378,9 @@ TEST(Edits, AnObjectEntersAndLeavesAGroup) {
       with(scene_json, "{\"type\": \"sphere\"", "{\"type\": \"cube\"}, {\"type\": \"sphere\"");
   EXPECT_EQ(after_edit(two, into(false)),
             "error: it shares its group with others; put it into a new group first");
+  const std::string nested =
+      with(json, "{\"type\": \"sphere\"", "{\"type\": \"cube\"}, {\"type\": \"sphere\"");
+  EXPECT_EQ(after_edit(nested, into(true)), "error: none");
 }
 
 TEST(Edits, ItemsMoveWithTheirComments) {

@@ -86,6 +86,12 @@ std::string_view list_for(ItemKind kind) {
   return kind == ItemKind::light ? "lights" : kind == ItemKind::primitive ? "primitives" : "groups";
 }
 
+// In JSON, an object that shares its group with others has no place of its own, which could keep
+// it where it is.
+bool has_others_place(const Document& document, ItemId id) {
+  return !document.is_xml() && list_for(document[id].kind) != "groups";
+}
+
 // An insertion and a removal that touch become one change, so that their order is defined.
 std::vector<TextChange> merged(std::vector<TextChange> changes) {
   sort_changes(changes);
@@ -1391,9 +1397,8 @@ Result<Edit> reorder_item(const Document& document, ItemId selected, int step) {
 std::vector<ItemId> targets_for(const Document& document, ItemId selected) {
   const ItemId id = with_place(document, selected);
   const SceneItem& item = document[id];
-  const bool xml = document.is_xml();
   if (is_fixed(item) || item.kind == ItemKind::master || item.shared ||
-      (xml && item.kind == ItemKind::light)) {
+      (document.is_xml() && item.kind == ItemKind::light) || has_others_place(document, id)) {
     return {};
   }
   const Editor editor(document);
@@ -1404,9 +1409,8 @@ std::vector<ItemId> targets_for(const Document& document, ItemId selected) {
     const ItemId top = editor.top_of(target);
     // A template is declared before its first use.
     const bool later = document[top].kind != ItemKind::master || used == no_item || top > used;
-    const bool fits = xml || list_for(item.kind) == "groups" || group.kind != ItemKind::root;
     if (is_group(group) && group.written && target != item.parent && !editor.holds(id, target) &&
-        later && fits) {
+        later) {
       targets.push_back(target);
     }
   }
@@ -1444,10 +1448,8 @@ Result<Edit> move_into(const Document& document, ItemId selected, ItemId target)
     return not_shared();
   }
   if (std::find(targets.begin(), targets.end(), target) == targets.end()) {
-    const bool needs_group = !document.is_xml() && document[target].kind == ItemKind::root &&
-                             list_for(item.kind) != "groups";
     return input_error(target == item.parent ? "it is in that group already"
-                       : needs_group
+                       : has_others_place(document, id)
                            ? "it shares its group with others; put it into a new group first"
                            : "it cannot be in that group: choose a group that is not part of it, "
                              "and that comes after the templates it uses");

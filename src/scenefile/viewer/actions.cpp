@@ -23,7 +23,7 @@ constexpr std::array action_rows{
     ActionRow{Action::wrap, "Ctrl+G", "Edit", "put the selection into a new group"},
     ActionRow{Action::earlier, "Ctrl+Up", "Edit", "move the selection up in its group"},
     ActionRow{Action::later, "Ctrl+Down", "Edit", "move it down"},
-    ActionRow{Action::enter_group, "Ctrl+Right", "Edit", "move it into the group above it"},
+    ActionRow{Action::enter_group, "Ctrl+Right", "Edit", "move it into a group beside it"},
     ActionRow{Action::leave_group, "Ctrl+Left", "Edit", "move it out of its group"},
     ActionRow{Action::remove, "Delete", "Edit", "delete the selection"},
     ActionRow{Action::handles, "B", "Edit", "handles: move, turn, scale, none"},

@@ -479,11 +479,11 @@ void name_growth(const TruthBlocks& back, const LinearPicture& picture, PathVerd
   }
 }
 
-// Whether most of the picture is clipped where the truth is not; without lamps.
-bool is_too_bright(const TruthBlocks& back, const DecodedPicture& mine) {
-  std::size_t all = 0;
-  std::size_t clipped = 0;
-  std::size_t bright = 0;
+// Why no block can be compared, among the claims that it belongs to.
+void name_nothing(const TruthBlocks& back, const DecodedPicture& mine, PathVerdict& verdict) {
+  double all = 0;  // without lamps
+  double clipped = 0;
+  double bright = 0;
   for (std::size_t b = 0; b < back.truth.blocks(); ++b) {
     for_each_pixel(back.truth, b, [&](int, int, std::size_t at) {
       if (back.left_out[b] == 0) {
@@ -495,23 +495,22 @@ bool is_too_bright(const TruthBlocks& back, const DecodedPicture& mine) {
       }
     });
   }
-  return !mine.is_linear() && 2 * clipped > all && 2 * bright < all;
-}
-
-// Why no block can be compared.
-PathClaim why_nothing(const TruthBlocks& back, const DecodedPicture& mine) {
-  if (is_too_bright(back, mine)) {
-    return {Cause::brightness, "clipped",
-            "most of the picture is brighter than the file can hold, and the truth is not: direct "
-            "light has too large a factor, or light grows from bounce to bounce, as without the "
-            "cosine, 1 / pi or the density of directions, or with a wrong probability of going on",
-            "", 0};
+  if (!mine.is_linear() && clipped > 0.05 * all && clipped > 2 * bright) {
+    verdict.partial.push_back(
+        {Cause::brightness, "clipped",
+         fmt::format("{:.0f} % of the picture is as bright as the file can hold, while {:.0f} % of "
+                     "the truth is above 1: direct light has too large a factor, or light grows "
+                     "from bounce to bounce, as without the cosine, 1 / pi or the density of "
+                     "directions, or with a wrong probability of going on",
+                     100 * clipped / all, 100 * bright / all),
+         "without visible lamps", 0});
+  } else {
+    verdict.notes.push_back(
+        {Cause::brightness, "nothing-to-compare",
+         "nothing can be compared: too many pixels are clipped or not finite, or the picture shows "
+         "only lamps and what is next to them",
+         "", 0});
   }
-  return {
-      Cause::brightness, "nothing-to-compare",
-      "nothing can be compared: too many pixels are clipped or not finite, or the picture shows "
-      "only lamps and what is next to them",
-      "", 0};
 }
 
 }  // namespace
@@ -527,8 +526,7 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
   verdict.errors.resize(truth.blocks());
   verdict.mine.resize(truth.blocks());
   if (readings.empty() || readings.front().seen.tested == 0) {
-    (is_too_bright(back, mine) ? verdict.partial : verdict.notes)
-        .push_back(why_nothing(back, mine));
+    name_nothing(back, mine, verdict);
     return verdict;
   }
   const Reading& reading = readings.front();

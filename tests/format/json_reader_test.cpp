@@ -259,6 +259,14 @@ TEST(JsonReader, EmptyGroupNamedLikeALaterTemplateIsMeantAsInstance) {
   EXPECT_EQ(r.below(r.scene.templates[0], 1).instance_of, "a");
 }
 
+TEST(JsonReader, ATemplateWithAMisspelledKeyForItsNameIsKnown) {
+  const JsonReading r = read_with_head(R"("templateGroups": [{"nam": "chair"}],
+      "groups": [{"name": "chair"}])");
+  EXPECT_EQ(r.count(json_misspelled_key), 1u);
+  EXPECT_EQ(r.diagnostics.list().size(), 1u) << r.all_messages();
+  EXPECT_EQ(r.child(0).instance_of, "chair");
+}
+
 TEST(JsonReader, UnknownTemplateSuggestsANearOne) {
   const JsonReading r = read_with_head(R"("templateGroups": [{"name": "chair", "primitives": []}],
       "groups": [{"name": "chiar"}])");

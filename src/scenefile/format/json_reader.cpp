@@ -137,6 +137,9 @@ class SceneReader {
     if (fields.has(group::name)) {
       name = text_value(context_, fields.key(group::name), limits().name_bytes).value_or("");
     }
+    if (!name.empty()) {  // also one whose key is misspelled
+      templates_.try_emplace(name, known_templates_);
+    }
     const NodeId node = add_template(scene_, std::move(name));
     scene_.nodes[node].location = context_.place(item);
     read_contents(node, fields);

@@ -112,11 +112,16 @@ ObservedBlocks observe(const TruthBlocks& back, const LinearPicture& picture) {
     double count = 0;
     Color sum(0);
     Color truth_sum(0);
-    Color unknown(0);  // taken as the truth's, but not below what is clipped
+    // Clipped where the truth is bright, too, and taken as that; others are single bright samples.
+    Color bright(0);
+    double bright_count = 0;
     for_each_pixel(truth, b, [&](int, int, std::size_t at) {
       if (picture.usable[at] == 0) {
         ++unusable;
-        unknown += glm::max(truth.pixels[at], picture.pixels[at]);
+        if (luminance(truth.pixels[at]) > 0.5 * luminance(picture.pixels[at])) {
+          bright += truth.pixels[at];
+          ++bright_count;
+        }
         return;
       }
       ++count;
@@ -129,7 +134,7 @@ ObservedBlocks observe(const TruthBlocks& back, const LinearPicture& picture) {
       bad[b] = 1;
       continue;
     }
-    m.mean[b] = (sum + unknown) / (count + unusable);
+    m.mean[b] = (sum + bright) / (count + bright_count);
     rounding[b] /= count * count;
     // How much pixels vary beyond the pattern of the truth.
     const double scale = luminance(truth_sum) > 0 ? luminance(sum) / luminance(truth_sum) : 1;

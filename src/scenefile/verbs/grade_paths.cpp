@@ -82,7 +82,9 @@ void set_result(const PathVerdict& v, PictureResult& result) {
         fmt::format("too noisy to tell whether it is right: about {:.0f} times as many samples "
                     "per pixel would do",
                     std::ceil(std::max(1.0, v.more_samples))));
-  } else if (!v.right && v.tested > 0) {
+  } else if (v.tested == 0) {
+    result.reasons.push_back("no part of it can be compared with the truth");
+  } else if (!v.right) {
     result.reasons.push_back(
         fmt::format("it differs from the truth by more than its noise: by up to {:.1f} standard "
                     "errors of blocks of {}x{} pixels",

@@ -231,7 +231,7 @@ struct Explanation {
 
   // No more than the noise, and not worse than the best.
   bool is_near(const PathModel& m) const {
-    return m.kind == ModelKind::mistake && m.chi2 < 3 * values && reading.explained(m) >= 0.85 &&
+    return m.kind == ModelKind::mistake && reading.is_like_noise(m) &&
            m.deviance < reading.models.front().deviance + reading.tie();
   }
 
@@ -343,8 +343,7 @@ struct Explanation {
 };
 
 void explain(const TruthBlocks& back, const Reading& reading, PathVerdict& verdict) {
-  if (reading.seen.relative_noise > too_much_noise || reading.models.empty() ||
-      reading.right.chi2 - reading.models.front().chi2 < claim_errors * claim_errors) {
+  if (reading.seen.relative_noise > too_much_noise || !reading.differs()) {
     return;
   }
   const Explanation explanation{back, reading, verdict};
@@ -440,7 +439,7 @@ void explain_file(const TruthBlocks& back, const DecodedPicture& mine,
   }
   if (mine.is_linear()) {
     for (const Reading& other : readings_as_shown(back, mine)) {
-      if (!other.any_exposure && explains(back, reading, other)) {
+      if (explains(back, reading, other)) {
         verdict.causes.push_back(
             {Cause::gamma, "gamma",
              fmt::format("the file should be linear, but has values for the screen, by {}",
@@ -451,6 +450,10 @@ void explain_file(const TruthBlocks& back, const DecodedPicture& mine,
     }
   }
 }
+
+constexpr const char* growth =
+    "light grows from bounce to bounce, as without the cosine, 1 / pi or the density of "
+    "directions, or with a wrong probability of going on";
 
 // Where noise hides all means: whether most pixels are too bright. Of skewed noise, as that of
 // paths, the median is below the mean.
@@ -470,10 +473,8 @@ void name_growth(const TruthBlocks& back, const LinearPicture& picture, PathVerd
     verdict.partial.push_back(
         {Cause::scattering, "light",
          fmt::format("most pixels are brighter than the truth, by a factor of at least {:.2f}, and "
-                     "the noise is far too large: light grows from bounce to bounce, as without "
-                     "the cosine, 1 / pi or the density of directions, or with a wrong "
-                     "probability of going on",
-                     factor),
+                     "the noise is far too large: {}",
+                     factor, growth),
          "median of pixels", 0});
     verdict.too_noisy = false;
   }
@@ -499,10 +500,8 @@ void name_nothing(const TruthBlocks& back, const DecodedPicture& mine, PathVerdi
     verdict.partial.push_back(
         {Cause::brightness, "clipped",
          fmt::format("{:.0f} % of the picture is as bright as the file can hold, while {:.0f} % of "
-                     "the truth is above 1: direct light has too large a factor, or light grows "
-                     "from bounce to bounce, as without the cosine, 1 / pi or the density of "
-                     "directions, or with a wrong probability of going on",
-                     100 * clipped / all, 100 * bright / all),
+                     "the truth is above 1: direct light has too large a factor, or {}",
+                     100 * clipped / all, 100 * bright / all, growth),
          "without visible lamps", 0});
   } else {
     verdict.notes.push_back(

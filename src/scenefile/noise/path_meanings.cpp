@@ -20,6 +20,11 @@ struct Constant {
   Meaning meaning;
 };
 
+// Whether a fitted number is a constant within its error.
+bool is_number(double value, double error, double constant) {
+  return std::abs(value / constant - 1) < std::max(0.012, 3 * error / constant);
+}
+
 // What the factor of all reflected light can mean.
 std::vector<Meaning> meanings_of_direct(const PathTruth& truth, double factor, double error) {
   const auto of_samples = [](const char* name, std::string what) {
@@ -88,14 +93,6 @@ std::vector<Meaning> meanings_of_direct(const PathTruth& truth, double factor, d
   }
   return found;
 }
-
-}  // namespace
-
-bool is_number(double value, double error, double constant) {
-  return std::abs(value / constant - 1) < std::max(0.012, 3 * error / constant);
-}
-
-namespace {
 
 std::string factor_words(std::string_view place, double factor) {
   return std::abs(factor) < 0.03 ? fmt::format("{} is missing", place)

@@ -15,9 +15,6 @@ struct Meaning {
   std::string what;
 };
 
-/// Whether a fitted number is a constant within its error.
-bool is_number(double value, double error, double constant);
-
 /// The names and phrases for a model that explains the picture: several if they give the same
 /// picture. `whole`: the factor of visible lamps, if known. `general`: set if a free number is not
 /// one that a known mistake gives.

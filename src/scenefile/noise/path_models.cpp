@@ -379,7 +379,7 @@ std::vector<PathModel> ModelSearch::models() const {
   without(lengths, "emission-after-specular", "lamps that are hit after glass do not count",
           [](const LightKind& k) { return k.hit && k.glass > 0; });
   without(lengths, "caustics",
-          "caustics are missing: lamps that are hit by glass or a mirror after a "
+          "caustics are missing: lamps that are hit through glass or a mirror after a "
           "diffuse or glossy surface do not count",
           [](const LightKind& k) { return k.hit && k.rough > 0; });
   without(specular, "mirror", "mirrors reflect nothing",

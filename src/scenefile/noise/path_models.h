@@ -29,17 +29,17 @@ struct PathModel {
   double chi2 = 0;        ///< by the cautious weights, with the noise of the model
   double plain_chi2 = 0;  ///< without that noise
   double deviance = 0;    // chi2, and what the noise costs: -2 log(likelihood) up to a constant
-
-  double factor() const { return fit.factors.empty() ? 1 : fit.factors.front(); }
   const PathModel* first = nullptr;  ///< of a pair: its parts, which must outlive it
   const PathModel* second = nullptr;
 
+  double factor() const { return fit.factors.empty() ? 1 : fit.factors.front(); }
   /// Two mistakes, unless one of them has both effects.
   bool two_mistakes() const { return edits > 1 && parameters == 0; }
   double score() const {
     return deviance + 12.0 * (static_cast<double>(free.size()) + parameters + 2 * edits);
   }
 };
+
 /// Finds explanations of one linearization of the picture.
 class ModelSearch {
  public:

@@ -10,9 +10,7 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <map>
-#include <string_view>
 #include <vector>
 
 namespace scenefile {

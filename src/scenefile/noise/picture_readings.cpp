@@ -40,8 +40,7 @@ void add_models(const TruthBlocks& back, Reading& reading) {
 }
 
 void add_pair(const TruthBlocks& back, Reading& reading) {
-  if (reading.models.empty() ||
-      reading.right.chi2 - reading.models.front().chi2 < claim_errors * claim_errors) {
+  if (!reading.differs()) {
     return;
   }
   const double most = reading.models.front().deviance + reading.tie();
@@ -107,9 +106,10 @@ double left_of(const Reading& reading) {
   return least / reading.values();
 }
 
-// Calls visit(curve, any_exposure) for all ways to read values for the screen.
+// Calls visit(curve, any_exposure) for all curves of values for the screen.
 template <typename Visit>
-void for_each_curve(const TruthBlocks& back, const DecodedPicture& mine, const Visit& visit) {
+void for_each_curve(const TruthBlocks& back, const DecodedPicture& mine, bool any_exposure,
+                    const Visit& visit) {
   constexpr std::array others{ScreenCurve{ToneCurve::reinhard},
                               ScreenCurve{ToneCurve::luminance},
                               ScreenCurve{ToneCurve::srgb},
@@ -117,15 +117,12 @@ void for_each_curve(const TruthBlocks& back, const DecodedPicture& mine, const V
                               ScreenCurve{ToneCurve::power, 2.2},
                               ScreenCurve{ToneCurve::power, 2},
                               ScreenCurve{ToneCurve::power, gamma_twice}};
-  for (const bool any_exposure : {false, true}) {
-    for (const ToneCurve curve : {ToneCurve::course, ToneCurve::compressed}) {
-      const double white = white_by_lamps(back, mine, curve).value_or(0);
-      visit({curve, white > 0 ? white : fitted_white(back, mine, curve, any_exposure)},
-            any_exposure);
-    }
-    for (const ScreenCurve& screen : others) {
-      visit(screen, any_exposure);
-    }
+  for (const ToneCurve curve : {ToneCurve::course, ToneCurve::compressed}) {
+    const double white = white_by_lamps(back, mine, curve).value_or(0);
+    visit({curve, white > 0 ? white : fitted_white(back, mine, curve, any_exposure)}, any_exposure);
+  }
+  for (const ScreenCurve& screen : others) {
+    visit(screen, any_exposure);
   }
 }
 
@@ -148,9 +145,17 @@ double Reading::explained(const PathModel& m) const {
              : 0;
 }
 
+bool Reading::differs() const {
+  return !models.empty() && right.chi2 - models.front().chi2 >= claim_errors * claim_errors;
+}
+
+bool Reading::is_like_noise(const PathModel& m) const {
+  return explained(m) >= 0.85 && m.chi2 < 3 * values();
+}
+
 bool Reading::is_complete(const PathModel& m) const {
   const double plain = m.plain_chi2 / right.chi2;
-  return (explained(m) >= 0.85 && m.chi2 < 3 * values() && plain < most_plain) ||
+  return (is_like_noise(m) && plain < most_plain) ||
          (explained(m) >= 0.985 && plain < 0.05 && !m.two_mistakes());
 }
 
@@ -161,8 +166,9 @@ double Reading::tie() const {
 double Reading::cost() const {
   // A fitted exposure must explain clearly more, and other curves than the course's.
   const double less_usual = std::log(1.3);
-  return std::log(left_of(*this) + 0.2) + seen.log_variance + (any_exposure ? less_usual : 0) +
-         (screen.curve == ToneCurve::course ? 0 : less_usual);
+  constexpr double like_noise = 0.2;  // far below 1, less is no better
+  return std::log(left_of(*this) + like_noise) + seen.log_variance +
+         (any_exposure ? less_usual : 0) + (screen.curve == ToneCurve::course ? 0 : less_usual);
 }
 
 std::vector<std::size_t> lamp_pixels(const TruthBlocks& back) {
@@ -171,8 +177,9 @@ std::vector<std::size_t> lamp_pixels(const TruthBlocks& back) {
   for (std::size_t at = 0; at < t.pixels.size(); ++at) {
     const std::size_t block = at / t.width / block_side * t.columns + at % t.width / block_side;
     const double bright = luminance(t.pixels[at]);
+    constexpr double varied = 0.05;  // the most by which its samples differ
     if (luminance(back.lamp[block]) > 0 && bright > 0 &&
-        luminance(t.deviations[at]) <= 2.5e-3 * bright * bright) {
+        luminance(t.deviations[at]) <= varied * varied * bright * bright) {
       pixels.push_back(at);
     }
   }
@@ -209,7 +216,8 @@ std::vector<Reading> readings_of(const TruthBlocks& back, const DecodedPicture& 
   if (mine.is_linear()) {
     add({}, false);
   } else {
-    for_each_curve(back, mine, add);
+    for_each_curve(back, mine, false, add);
+    for_each_curve(back, mine, true, add);
   }
   sort_by_cost(list);
   constexpr std::size_t likely = 4;
@@ -222,7 +230,7 @@ std::vector<Reading> readings_of(const TruthBlocks& back, const DecodedPicture& 
 
 std::vector<Reading> readings_as_shown(const TruthBlocks& back, const DecodedPicture& mine) {
   std::vector<Reading> list;
-  for_each_curve(back, mine, [&](const ScreenCurve& screen, bool any_exposure) {
+  for_each_curve(back, mine, false, [&](const ScreenCurve& screen, bool any_exposure) {
     Reading reading = read_as(back, mine, screen, any_exposure);
     if (!is_mostly_clipped(back, reading)) {
       list.push_back(std::move(reading));

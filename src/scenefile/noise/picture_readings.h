@@ -25,8 +25,14 @@ struct Reading {
 
   double values() const { return 3.0 * static_cast<double>(std::max<std::size_t>(1, seen.tested)); }
 
+  /// Whether some model explains it better than the right picture does, beyond chance.
+  bool differs() const;
+
   /// The part of the difference beyond noise.
   double explained(const PathModel& m) const;
+
+  /// Whether the model, with its own noise, leaves little more than noise.
+  bool is_like_noise(const PathModel& m) const;
 
   /// Whether the model leaves little of the difference beyond noise. What its own noise could
   /// explain does not count.
@@ -46,7 +52,7 @@ Reading read_as(const TruthBlocks& back, const DecodedPicture& mine, const Scree
 /// The likeliest first; none if most of the picture is clipped.
 std::vector<Reading> readings_of(const TruthBlocks& back, const DecodedPicture& mine);
 
-/// Of floats that may be values for the screen, without models.
+/// Of floats that may be values for the screen: as they are, without an exposure or models.
 std::vector<Reading> readings_as_shown(const TruthBlocks& back, const DecodedPicture& mine);
 
 /// Pixels that show nothing but lamps.

@@ -381,6 +381,12 @@ TEST(Edits, AnObjectEntersAndLeavesAGroup) {
   const std::string nested =
       with(json, "{\"type\": \"sphere\"", "{\"type\": \"cube\"}, {\"type\": \"sphere\"");
   EXPECT_EQ(after_edit(nested, into(true)), "error: none");
+  const Result<Document> instances = Document::open(
+      R"({"templateGroups": [{"name": "leg", "primitives": [{"type": "cube"}]}], "groups": [
+          {"translate": [1, 0, 0], "groups": [{"name": "leg"}, {"name": "leg"}, {"groups": []}]}]})",
+      {});
+  ASSERT_TRUE(instances);
+  EXPECT_TRUE(targets_for(*instances, nth(*instances, ItemKind::instance)).empty());
 }
 
 TEST(Edits, ItemsMoveWithTheirComments) {

@@ -86,12 +86,6 @@ std::string_view list_for(ItemKind kind) {
   return kind == ItemKind::light ? "lights" : kind == ItemKind::primitive ? "primitives" : "groups";
 }
 
-// In JSON, an object that shares its group with others has no place of its own, which could keep
-// it where it is.
-bool has_others_place(const Document& document, ItemId id) {
-  return !document.is_xml() && list_for(document[id].kind) != "groups";
-}
-
 // An insertion and a removal that touch become one change, so that their order is defined.
 std::vector<TextChange> merged(std::vector<TextChange> changes) {
   sort_changes(changes);
@@ -1398,7 +1392,7 @@ std::vector<ItemId> targets_for(const Document& document, ItemId selected) {
   const ItemId id = with_place(document, selected);
   const SceneItem& item = document[id];
   if (is_fixed(item) || item.kind == ItemKind::master || item.shared ||
-      (document.is_xml() && item.kind == ItemKind::light) || has_others_place(document, id)) {
+      (document.is_xml() && item.kind == ItemKind::light) || placed_item(document, id) != id) {
     return {};
   }
   const Editor editor(document);
@@ -1449,7 +1443,7 @@ Result<Edit> move_into(const Document& document, ItemId selected, ItemId target)
   }
   if (std::find(targets.begin(), targets.end(), target) == targets.end()) {
     return input_error(target == item.parent ? "it is in that group already"
-                       : has_others_place(document, id)
+                       : placed_item(document, id) != id
                            ? "it shares its group with others; put it into a new group first"
                            : "it cannot be in that group: choose a group that is not part of it, "
                              "and that comes after the templates it uses");

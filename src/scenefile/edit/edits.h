@@ -85,15 +85,16 @@ Result<Edit> duplicate_item(const Document& document, ItemId item,
 std::optional<ItemId> neighbor_of(const Document& document, ItemId item, int step);
 /// Exchanges an item, and the comments that belong to it, with its neighbor.
 Result<Edit> reorder_item(const Document& document, ItemId item, int step);
-/// The groups, templates and root that an item can be moved into.
+/// The groups, templates and root that an item can be moved into; none in JSON if it shares its
+/// place with others.
 std::vector<ItemId> targets_for(const Document& document, ItemId item);
 /// The nearest group in the same group as an item that the item can be moved into: the last one
 /// before it, or else the first one after it.
 std::optional<ItemId> group_to_enter(const Document& document, ItemId item);
 /// The group around that of an item.
 std::optional<ItemId> group_outside(const Document& document, ItemId item);
-/// Moves an item to the end of another group. It stays where it is in the world, unless it shares
-/// its place with others, enters or leaves a template, or a group is scaled to nothing.
+/// Moves an item to the end of another group. It stays where it is in the world, unless it enters
+/// or leaves a template, or a group is scaled to nothing.
 Result<Edit> move_into(const Document& document, ItemId item, ItemId group);
 /// Puts an item into a new group at its place, without moving it in the world.
 Result<Edit> wrap_in_group(const Document& document, ItemId item);

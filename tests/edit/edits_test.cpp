@@ -389,6 +389,26 @@ TEST(Edits, AnObjectEntersAndLeavesAGroup) {
   EXPECT_TRUE(targets_for(*instances, nth(*instances, ItemKind::instance)).empty());
 }
 
+// As courses read a transblock with several objects.
+TEST(Edits, AnObjectEntersOneOfTwoGroupsOfATransblock) {
+  const std::string text = R"(<scenefile>
+<object type="tree" name="leg"><transblock><object type="primitive" name="cube"/></transblock></object>
+<object type="tree" name="root">
+<transblock><translate x="2" y="0" z="0"/><object type="tree" name="leg"/><object type="tree" name="more"/></transblock>
+<transblock><object type="primitive" name="cone"/></transblock>
+</object></scenefile>)";
+  ReadOptions options;
+  options.compat_course = true;
+  const Result<Document> document = Document::open(text, options);
+  ASSERT_TRUE(document);
+  EXPECT_EQ((*document)[nth(*document, ItemKind::instance)].name, "leg");
+  const ItemId group = nth(*document, ItemKind::group);
+  EXPECT_EQ((*document)[group].name, "more");
+  const Result<Edit> edit = move_into(*document, nth(*document, ItemKind::primitive, 1), group);
+  ASSERT_TRUE(edit);
+  EXPECT_THAT(applied(text, *edit), HasSubstr(R"(<translate x="-2" y="0" z="0"/>)"));
+}
+
 TEST(Edits, ItemsMoveWithTheirComments) {
   const std::string edited = after_edit(scene_xml, [](const Document& document) {
     return reorder_item(document, nth(document, ItemKind::instance), 1);
@@ -440,6 +460,20 @@ TEST(Edits, MovingChangesOnlyTheAxis) {
                        }),
             with(scene_json, "\"name\": \"ball\",\n",
                  "\"name\": \"ball\",\n      \"translate\": [0, 2, 0],\n"));
+}
+
+// A number that cannot be read is not taken for the 0 that it gives.
+TEST(Edits, PlacingReplacesNumbersThatCannotBeRead) {
+  const std::string text = R"(<scenefile><object type="tree" name="root"><transblock>
+<matrix><row a="1" b="0" c="0" d="0"/><row a="0" b="1" c="0" d="0"/><row a="0" b="0" c="1" d="0"/><row a="0" b="e9" c="0" d="1"/></matrix>
+<object type="primitive" name="cube"/></transblock></object></scenefile>)";
+  EXPECT_EQ(after_edit(text,
+                       [](const Document& document) {
+                         const auto handle =
+                             handle_of(document, nth(document, ItemKind::primitive));
+                         return place_item(document, *handle, glm::dmat4(1));
+                       }),
+            with(text, "e9", "0"));
 }
 
 TEST(Edits, NothingMovesAnObjectOfATemplate) {

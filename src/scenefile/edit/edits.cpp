@@ -722,12 +722,9 @@ class Editor {
   Piece piece_for(ItemId id, ItemId group) const {
     const SceneItem& item = document_[id];
     std::optional<Handle> handle = handle_in_tree(document_, id);
-    const std::optional<Handle> there = handle_in_tree(document_, group);
-    const bool is_top = document_[group].kind == ItemKind::root ||
-                        (syntax_.xml && document_[group].kind == ItemKind::master);
-    if (handle && handle->item == id && (there || is_top) && top_of(id) == top_of(group)) {
-      const glm::dmat4 space = there ? there->world_from_item : glm::dmat4(1);
-      if (std::exchange(handle->world_from_space, space) != space) {
+    const std::optional<glm::dmat4> space = tree_from_item(document_, group);
+    if (handle && handle->item == id && space && top_of(id) == top_of(group)) {
+      if (std::exchange(handle->world_from_space, *space) != *space) {
         if (const Result<Edit> edit = place_item(document_, *handle, handle->world_from_item)) {
           return changed_piece(item, edit->changes);
         }

@@ -70,7 +70,10 @@ class ItemFinder {
   void find_xml() {
     for (NodeId id = 0; id < scene_.nodes.size(); ++id) {
       const Node& node = scene_.nodes[id];
-      nodes_.emplace(syntax_.at(node.location), id);
+      const PartId part = syntax_.at(node.location);
+      if (!nodes_.emplace(part, id).second) {
+        made_room_.emplace(part, id);
+      }
       for (const Primitive& primitive : node.primitives) {
         primitives_.emplace(syntax_.at(primitive.location), &primitive);
       }
@@ -146,10 +149,16 @@ class ItemFinder {
   ItemId add_object(PartId object, PartId block, NodeId node, ItemId parent) {
     const ReadTag tag(state_, object);
     const std::optional<ObjectTag> read = read_object_tag(reader_.context, tag.tag);
-    const auto own = nodes_.find(object);
-    const NodeId placed = own == nodes_.end() ? node : own->second;
-    const std::string& master = scene_.nodes[placed].instance_of;
     const std::string name = read ? std::string(read->name) : std::string();
+    const auto own = nodes_.find(object);
+    NodeId placed = own == nodes_.end() ? node : own->second;
+    if (const auto moved = made_room_.find(block);
+        placed == node && moved != made_room_.end() &&
+        scene_.nodes[moved->second].instance_of == name) {
+      placed = moved->second;
+      made_room_.erase(moved);
+    }
+    const std::string& master = scene_.nodes[placed].instance_of;
     ItemKind kind = ItemKind::unread;
     std::string shown = name;
     if (const auto primitive = primitives_.find(object); primitive != primitives_.end()) {
@@ -214,6 +223,8 @@ class ItemFinder {
   const Scene& scene_;
   SilentReader reader_;
   std::unordered_map<PartId, NodeId> nodes_;
+  /// By transblock: the node of an instance that other objects follow.
+  std::unordered_map<PartId, NodeId> made_room_;
   std::unordered_map<PartId, const Primitive*> primitives_;
 };
 

@@ -132,13 +132,13 @@ Typed texts_of(std::span<const double> numbers) {
   return texts;
 }
 
-// The same values for the parts that differ; whether any does.
+// The same values for the parts that differ or cannot be read; whether any does.
 bool keep_equal(const FieldView& field, Typed& texts) {
   bool any = false;
   for (std::size_t i = 0; i < texts.size(); ++i) {
-    const double now = number_of(field.parts[i]);
-    if (field.parts[i].written &&
-        static_cast<float>(now) == static_cast<float>(parse_number(*texts[i]).value)) {
+    const ParsedNumber now = parse_number(field.parts[i].value);
+    if (field.parts[i].written && now.error == NumberError::none &&
+        static_cast<float>(now.value) == static_cast<float>(parse_number(*texts[i]).value)) {
       texts[i].reset();
     }
     any = any || texts[i].has_value();
@@ -269,6 +269,11 @@ std::optional<Handle> handle_of(const Document& document, ItemId id) {
     top = document[top].parent;
   }
   return document[top].kind == ItemKind::master ? std::nullopt : handle_in_tree(document, id);
+}
+
+std::optional<glm::dmat4> tree_from_item(const Document& document, ItemId id) {
+  const glm::dmat4 world = world_of(document, id);
+  return is_finite(world) ? std::optional(world) : std::nullopt;
 }
 
 std::optional<Handle> handle_in_tree(const Document& document, ItemId id) {

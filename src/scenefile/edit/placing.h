@@ -13,6 +13,10 @@ namespace scenefile {
 /// place of their group.
 ItemId placed_item(const Document& document, ItemId item);
 
+/// The transform from the space of an item to that of the scene, or of the template that contains
+/// it; nullopt if it is too large for numbers.
+std::optional<glm::dmat4> tree_from_item(const Document& document, ItemId item);
+
 /// The same as handle_of(), also of a part of a template: then in the template's space.
 std::optional<Handle> handle_in_tree(const Document& document, ItemId item);
 

@@ -6,6 +6,7 @@
 #include "app/output.h"
 #include "scenefile/base/report.h"
 #include "scenefile/base/text.h"
+#include "scenefile/export/face_materials.h"
 #include "scenefile/export/write_gltf.h"
 #include "scenefile/export/write_obj.h"
 #include "scenefile/export/write_pov.h"
@@ -33,6 +34,9 @@ void drop_notes(Diagnostics& diagnostics) {
     return severity == Severity::note ? std::nullopt : std::optional(severity);
   });
 }
+
+// As in the fine profile.
+constexpr float assumed_transparent = 0.5f;
 
 SceneFormat scene_format(ConvertTo format) {
   return format == ConvertTo::json ? SceneFormat::json : SceneFormat::xml;
@@ -70,7 +74,8 @@ std::string write_scene_file(LoadedScene& scene, const Options& options, Context
 }
 
 // POV-Ray opens the textures itself, so it needs the paths where they were found.
-std::string write_pov_file(LoadedScene& scene, const Options& options, Context& context) {
+std::string write_pov_file(LoadedScene& scene, bool path, const Options& options,
+                           Context& context) {
   std::vector<std::string> textures;
   for (const AssetFile& file : locate_files(scene, options)) {
     if (file.kind == AssetKind::texture && file.from.empty()) {
@@ -81,30 +86,37 @@ std::string write_pov_file(LoadedScene& scene, const Options& options, Context& 
   const Features& features = options.render.features;
   return write_pov(scene.ready.scene, scene.assets.meshes, textures,
                    {.bounces = options.render.max_depth,
-                    .transparent = 0.5f,
+                    .transparent = assumed_transparent,
                     .shadows = features.shadows,
                     .reflect = features.reflect,
                     .refract = features.refract,
                     .texture = features.texture,
                     .texture_filter = features.texture_filter,
-                    .lens = features.depthoffield},
+                    .lens = features.depthoffield,
+                    .path = path},
                    scene.diagnostics);
 }
 
-std::string write_gltf_file(LoadedScene& scene, const Options& options, Context& context) {
+std::string write_gltf_file(LoadedScene& scene, bool path, const Options& options,
+                            Context& context) {
   context.phase = "writing the scene";
-  return write_gltf(
-      scene.written, scene.ready, scene.assets,
-      {.binary = *options.to == ConvertTo::glb, .segments = options.segments, .transparent = 0.5f},
-      scene.diagnostics);
+  return write_gltf(scene.written, scene.ready, scene.assets,
+                    {.binary = *options.to == ConvertTo::glb,
+                     .segments = options.segments,
+                     .transparent = assumed_transparent,
+                     .path = path},
+                    scene.diagnostics);
 }
 
-std::string write_obj_file(LoadedScene& scene, const Options& options,
+std::string write_obj_file(LoadedScene& scene, bool path, const Options& options,
                            std::vector<ImportedFile>& files, Context& context) {
   context.phase = "writing the scene";
   const std::string stem = file_stem(options.arguments[1]);
   ObjScene obj = write_obj(scene.ready.scene, scene.assets,
-                           {.stem = stem, .segments = options.segments, .transparent = 0.5f},
+                           {.stem = stem,
+                            .segments = options.segments,
+                            .transparent = assumed_transparent,
+                            .path = path},
                            scene.diagnostics);
   files.push_back({stem + ".mtl", std::move(obj.mtl)});
   for (std::size_t i = 0; i < obj.pictures.size(); ++i) {
@@ -117,19 +129,18 @@ std::string write_obj_file(LoadedScene& scene, const Options& options,
 std::string convert(LoadedScene& scene, const Options& options, std::vector<ImportedFile>& files,
                     Context& context) {
   drop_notes(scene.diagnostics);
-  switch (*options.to) {
-    case ConvertTo::xml:
-    case ConvertTo::json:
-      return write_scene_file(scene, options, context);
-    case ConvertTo::pov:
-      return write_pov_file(scene, options, context);
-    case ConvertTo::glb:
-    case ConvertTo::gltf:
-      return write_gltf_file(scene, options, context);
-    case ConvertTo::obj:
-      break;
+  const ConvertTo to = *options.to;
+  if (to == ConvertTo::xml || to == ConvertTo::json) {
+    return write_scene_file(scene, options, context);
   }
-  return write_obj_file(scene, options, files, context);
+  const bool path = lit_by_faces_only(scene);
+  if (path) {
+    use_face_materials(scene.ready.scene, scene.assets, assumed_transparent, to != ConvertTo::pov,
+                       scene.diagnostics);
+  }
+  return to == ConvertTo::pov   ? write_pov_file(scene, path, options, context)
+         : to == ConvertTo::obj ? write_obj_file(scene, path, options, files, context)
+                                : write_gltf_file(scene, path, options, context);
 }
 
 // Which assets the format needs.

@@ -77,6 +77,26 @@ TEST_F(PathScene, FindingsHaveThePlaceInTheLibrary) {
               HasSubstr("scenes/models/box.mtl"));
 }
 
+// What is exported as OBJ is drawn like the scene: the same triangles with the same materials.
+TEST_F(PathScene, AnExportedSceneIsDrawnAlike) {
+  folder.write("scenes/models/box.mtl", "newmtl lamp\nKe 17 12 4\nnewmtl wall\nKd .25 .5 .75\n");
+  const std::string written = scene();
+  const auto picture = [&](const std::string& path) {
+    const ProgramRun run = run_program(
+        {"render", path, "-o", folder.path("p.png"), "--size", "24x24", "--samples", "4", "-q"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    return folder.read("p.png");
+  };
+  const std::string before = picture(written);
+  EXPECT_EQ(run_program({"convert", written, folder.path("scenes/models/box2.obj")}).status, 0);
+  std::string text = folder.read("scenes/s.xml");
+  text.replace(text.find("box.obj"), 7, "box2.obj");
+  folder.write("scenes/s.xml", text);
+  EXPECT_EQ(picture(written), before);
+  const ProgramRun glb = run_program({"convert", "--to", "gltf", written, "-"});
+  EXPECT_THAT(glb.out, HasSubstr(R"("emissiveStrength":17)"));
+}
+
 TEST_F(PathScene, WithLightsMaterialsAreNotRead) {
   folder.write("scenes/models/box.mtl", "nonsense");
   const std::string path = scene(point_light);

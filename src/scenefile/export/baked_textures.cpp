@@ -21,9 +21,10 @@ bool BakedTextures::shows(const RenderMaterial& material) const {
 }
 
 std::uint32_t BakedTextures::bake(const RenderMaterial& material, const glm::vec3& diffuse,
-                                  const glm::vec3& more) {
+                                  const glm::vec3& more, bool path) {
+  const glm::vec3 factor = path && material.blend == 1 ? diffuse : glm::vec3(material.blend);
   const glm::vec3 added = (1 - material.blend) * diffuse + more;
-  const Key key{material.texture.file, material.blend, added.x, added.y, added.z};
+  const Key key{material.texture.file, factor.x, factor.y, factor.z, added.x, added.y, added.z};
   const auto [entry, is_new] = known_.try_emplace(key, static_cast<std::uint32_t>(files_.size()));
   if (!is_new) {
     return entry->second;
@@ -33,7 +34,7 @@ std::uint32_t BakedTextures::bake(const RenderMaterial& material, const glm::vec
   float value_of[3][256];
   for (int channel = 0; channel < 3; ++channel) {
     for (int byte = 0; byte < 256; ++byte) {
-      float value = added[channel] + material.blend * static_cast<float>(byte) / 255;
+      float value = added[channel] + factor[channel] * static_cast<float>(byte) / 255;
       clipped_ = clipped_ || value > 1.001f;
       value = std::min(1.0f, std::max(0.0f, value));
       value_of[channel][byte] = encoding_ == PictureEncoding::srgb ? srgb_encoded(value) : value;

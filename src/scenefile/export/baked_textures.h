@@ -28,15 +28,16 @@ class BakedTextures {
   /// Whether the material has a visible texture.
   bool shows(const RenderMaterial& material) const;
   /// The index of a picture of (1 - blend) diffuse + blend * texture + `more`, clamped to 0..1.
+  /// `path`: the texture of a face material multiplies `diffuse` (export/face_materials.h).
   std::uint32_t bake(const RenderMaterial& material, const glm::vec3& diffuse,
-                     const glm::vec3& more);
+                     const glm::vec3& more, bool path);
 
   const std::vector<std::string>& files() const { return files_; }
   /// Whether a value above 1 was clamped.
   bool clipped() const { return clipped_; }
 
  private:
-  using Key = std::tuple<std::uint32_t, float, float, float, float>;
+  using Key = std::tuple<std::uint32_t, float, float, float, float, float, float>;
 
   std::span<const Texture> textures_;
   PictureEncoding encoding_;

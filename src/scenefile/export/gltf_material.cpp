@@ -2,6 +2,7 @@
 
 #include "scenefile/base/components.h"
 #include "scenefile/export/codes.h"
+#include "scenefile/export/face_materials.h"
 #include "scenefile/export/phong_pbr.h"
 #include "scenefile/export/report_once.h"
 
@@ -16,12 +17,12 @@ std::string list(const glm::vec3& v) {
 }
 
 void report_differences(const RenderMaterial& material, const PhongColors& phong,
-                        const PbrMaterial& pbr, Diagnostics& diagnostics) {
+                        const PbrMaterial& pbr, bool path, Diagnostics& diagnostics) {
   const auto note = [&](std::string_view text) {
     report_once(export_approximate, text, diagnostics);
   };
   const bool mirror = largest(phong.reflective) > 0;
-  if (largest(phong.ambient) > 0) {
+  if (largest(phong.ambient) > 0 && !path) {
     note("ambient light becomes emission: path tracers let it shine on other surfaces");
   }
   if (phong.shininess > 0 && largest(phong.specular) > 0) {
@@ -54,16 +55,20 @@ std::string extras(const PhongColors& phong) {
 }  // namespace
 
 std::string gltf_material(const RenderMaterial& material, const RenderGlobal& global,
-                          float transparent, BakedTextures& textures,
+                          float transparent, bool path, BakedTextures& textures,
                           std::set<std::string_view>& extensions, Diagnostics& diagnostics) {
   const PhongColors phong = phong_colors(material, global, transparent);
-  const PbrMaterial pbr = pbr_of(phong);
-  report_differences(material, phong, pbr, diagnostics);
+  PhongColors shown = phong;
+  if (path) {
+    shown.specular *= highlight_of_lobe(phong.shininess);
+  }
+  const PbrMaterial pbr = pbr_of(shown);
+  report_differences(material, phong, pbr, path, diagnostics);
   std::string color;
   if (textures.shows(material)) {
     const glm::vec3 through = pbr.transmission > 0 ? phong.transparent : glm::vec3(0);
     color = fmt::format(R"("baseColorTexture":{{"index":{}}})",
-                        textures.bake(material, phong.diffuse, through));
+                        textures.bake(material, phong.diffuse, through, path));
   } else {
     color = fmt::format(R"("baseColorFactor":[{},{},{},1])", pbr.base.x, pbr.base.y, pbr.base.z);
   }

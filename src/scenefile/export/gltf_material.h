@@ -11,9 +11,10 @@
 
 namespace scenefile {
 
-/// Writes a material as JSON. Adds the names of the extensions it uses to `extensions`.
+/// Writes a material as JSON. Adds the names of the extensions it uses to `extensions`. `path`: see
+/// GltfOptions.
 std::string gltf_material(const RenderMaterial& material, const RenderGlobal& global,
-                          float transparent, BakedTextures& textures,
+                          float transparent, bool path, BakedTextures& textures,
                           std::set<std::string_view>& extensions, Diagnostics& diagnostics);
 
 }  // namespace scenefile

@@ -3,6 +3,7 @@
 #include "scenefile/base/components.h"
 #include "scenefile/base/text.h"
 #include "scenefile/export/codes.h"
+#include "scenefile/export/face_materials.h"
 #include "scenefile/export/pov_text.h"
 #include "scenefile/export/report_once.h"
 
@@ -78,8 +79,10 @@ std::string pigment(const PovMaterial& m, std::string_view mapping) {
 std::string finish(const PovMaterial& m) {
   const RenderMaterial& material = *m.material;
   std::string text =
-      fmt::format("finish {{ ambient {} diffuse 1", pov_color(ambient_of_pigment(m)));
-  const float highlight = m.global.specular * largest(material.specular);
+      fmt::format("finish {{ {} {} diffuse 1", m.options.path ? "ambient 0 emission" : "ambient",
+                  pov_color(ambient_of_pigment(m)));
+  const float lobe = m.options.path ? highlight_of_lobe(material.shininess) : 1;
+  const float highlight = lobe * m.global.specular * largest(material.specular);
   if (highlight > 0 && material.shininess > 0) {
     text += fmt::format(" phong {} phong_size {}", highlight, material.shininess);
   }

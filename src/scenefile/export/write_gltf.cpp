@@ -272,7 +272,7 @@ class GltfWriter {
     if (is_new) {
       materials_ += (entry->second == 0 ? "" : ",\n") +
                     gltf_material(ready_.materials[index], ready_.global, options_.transparent,
-                                  textures_, extensions_, diagnostics_);
+                                  options_.path, textures_, extensions_, diagnostics_);
     }
     return entry->second;
   }

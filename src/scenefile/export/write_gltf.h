@@ -16,6 +16,7 @@ struct GltfOptions {
   bool binary = true;        ///< GLB, one binary file; otherwise JSON with embedded base64 data
   int segments = 64;         ///< per full turn on round sides; see geometry/tessellate.h
   float transparent = 0.5f;  ///< transparentcoeff if the scene gives none
+  bool path = false;  ///< the scene is as use_face_materials() left it (export/face_materials.h)
   std::size_t max_nodes = 4'000'000;  ///< in the file; templates count once per instance
 };
 

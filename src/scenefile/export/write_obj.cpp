@@ -169,7 +169,7 @@ class ObjWriter {
     const bool mirror = largest(phong.reflective) > 0;
     const float through = std::min(1.0f, largest(phong.transparent));
     files_.mtl += fmt::format("newmtl m{}\n", materials_);
-    color("Ka", phong.ambient);
+    color(options_.path ? "Ke" : "Ka", phong.ambient);
     // Kd multiplies the picture.
     color("Kd", textures_.shows(material) ? glm::vec3(1) : phong.diffuse);
     color("Ks", highlight ? phong.specular : phong.reflective);
@@ -178,10 +178,12 @@ class ObjWriter {
       color("Tf", phong.transparent / through);
       files_.mtl += fmt::format("d {}\nNi {}\n", number_text(1 - through), number_text(phong.ior));
     }
-    files_.mtl += fmt::format("illum {}\n", illumination(mirror, through > 0, highlight));
+    const int illum = illumination(mirror, through > 0, highlight);
+    files_.mtl += fmt::format("illum {}\n", options_.path ? path_illumination(illum) : illum);
     if (textures_.shows(material)) {
-      files_.mtl += fmt::format("map_Kd {}-{}.png\n", options_.stem,
-                                textures_.bake(material, phong.diffuse, glm::vec3(0)) + 1);
+      files_.mtl +=
+          fmt::format("map_Kd {}-{}.png\n", options_.stem,
+                      textures_.bake(material, phong.diffuse, glm::vec3(0), options_.path) + 1);
     }
     files_.mtl += '\n';
     if (mirror && highlight && phong.reflective != phong.specular) {
@@ -199,6 +201,9 @@ class ObjWriter {
     }
     return mirror ? 3 : highlight ? 2 : 1;
   }
+
+  // Path tracers of the course know a mirror and glass with Fresnel's reflection.
+  static int path_illumination(int illum) { return illum >= 6 ? 7 : illum == 3 ? 5 : illum; }
 
   const RenderScene& scene_;
   const ObjOptions& options_;

@@ -16,6 +16,7 @@ struct ObjOptions {
   std::string stem = "scene";  ///< prefix of the names of the other files; no blanks
   int segments = 64;           ///< per full turn on round sides; see geometry/tessellate.h
   float transparent = 0.5f;    ///< transparentcoeff if the scene gives none
+  bool path = false;  ///< the scene is as use_face_materials() left it (export/face_materials.h)
   std::uint64_t max_triangles = 20'000'000;  ///< including all instances of templates
 };
 

@@ -20,6 +20,10 @@ namespace {
 // Directional lights of POV-Ray have a position, and do not shine beyond it.
 constexpr double far_away = 1e6;
 
+// The light of emitting faces, and what other surfaces reflect of it.
+constexpr std::string_view radiosity =
+    " radiosity { pretrace_end 0.01 count 400 nearest_count 8 error_bound 0.4 recursion_limit 4 }";
+
 class PovWriter {
  public:
   PovWriter(const RenderScene& scene, std::span<const Mesh> meshes,
@@ -42,8 +46,11 @@ class PovWriter {
   std::string write() {
     text_ = fmt::format(
         "// Render with File_Gamma=1.0: values are linear.\n#version 3.7;\n"
-        "global_settings {{ assumed_gamma 1.0 max_trace_level {} }}\n",
-        options_.bounces + 1);
+        "global_settings {{ assumed_gamma 1.0 max_trace_level {}{} }}\n",
+        options_.bounces + 1, options_.path ? radiosity : "");
+    if (options_.path) {
+      note("light from faces is smoothed (radiosity), and makes no highlights or caustics");
+    }
     camera();
     for (const RenderLight& light : scene_.lights) {
       this->light(light);

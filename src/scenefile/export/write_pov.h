@@ -21,6 +21,7 @@ struct PovOptions {
   bool texture = true;
   bool texture_filter = false;
   bool lens = false;
+  bool path = false;  ///< the scene is as use_face_materials() left it (export/face_materials.h)
 };
 
 /// Writes the scene in POV-Ray's language. `meshes` are those of RenderScene::mesh_files (smooth if

@@ -6,6 +6,7 @@
 #include "scenefile/base/text.h"
 #include "scenefile/compare/sheet.h"
 #include "scenefile/edit/edits.h"
+#include "scenefile/export/face_materials.h"
 #include "scenefile/export/write_gltf.h"
 #include "scenefile/export/write_obj.h"
 #include "scenefile/export/write_pov.h"
@@ -55,6 +56,12 @@ std::vector<std::string> convert(LoadedScene& scene, std::string_view to,
                write_scene(scene.written, to == "xml" ? SceneFormat::xml : SceneFormat::json,
                            Limits{}, scene.diagnostics));
   }
+  constexpr float transparent = 0.5f;  // as in the fine profile
+  const bool path = lit_by_faces_only(scene);
+  if (path) {
+    use_face_materials(scene.ready.scene, scene.assets, transparent, to != "pov",
+                       scene.diagnostics);
+  }
   if (to == "pov") {
     std::vector<std::string> textures;
     for (const FileReference& file : scene.ready.scene.texture_files) {
@@ -63,22 +70,24 @@ std::vector<std::string> convert(LoadedScene& scene, std::string_view to,
     const Features& on = options.features;
     return one("scene.pov", write_pov(scene.ready.scene, scene.assets.meshes, textures,
                                       {.bounces = options.max_depth,
-                                       .transparent = 0.5f,
+                                       .transparent = transparent,
                                        .shadows = on.shadows,
                                        .reflect = on.reflect,
                                        .refract = on.refract,
                                        .texture = on.texture,
                                        .texture_filter = on.texture_filter,
-                                       .lens = on.depthoffield},
+                                       .lens = on.depthoffield,
+                                       .path = path},
                                       scene.diagnostics));
   }
   if (to == "glb" || to == "gltf") {
     return one(fmt::format("scene.{}", to),
                write_gltf(scene.written, scene.ready, scene.assets,
-                          {.binary = to == "glb", .transparent = 0.5f}, scene.diagnostics));
+                          {.binary = to == "glb", .transparent = transparent, .path = path},
+                          scene.diagnostics));
   }
-  ObjScene obj =
-      write_obj(scene.ready.scene, scene.assets, {.transparent = 0.5f}, scene.diagnostics);
+  ObjScene obj = write_obj(scene.ready.scene, scene.assets,
+                           {.transparent = transparent, .path = path}, scene.diagnostics);
   write_out("scene.obj", obj.obj);
   write_out("scene.mtl", obj.mtl);
   std::vector<std::string> names{"scene.obj", "scene.mtl"};

@@ -138,6 +138,9 @@ class Frames {
         painter_(options, scene),
         there_(motion.cameras.size()) {
     key_ = picture_key_of(options, scene);
+    if (options.render.mode == Mode::path) {
+      key_ += fmt::format(" tone={} exposure={}", static_cast<int>(options.tone), options.exposure);
+    }
     range_ = options.range.value_or(FrameRange{1, static_cast<int>(motion.cameras.size())});
   }
 
@@ -278,9 +281,9 @@ class Frames {
   }
 
   Outcome trace(std::size_t index) {
-    const RenderScene& ready = scene_.ready.scene;
     if (!traced_) {
-      traced_.emplace(ready, scene_.assets, TraceSceneOptions{.threads = options_.render.threads});
+      traced_.emplace(scene_.ready.scene, scene_.assets,
+                      TraceSceneOptions{.threads = options_.render.threads});
     }
     ProgressBar bar(!options_.quiet && !options_.json && wants_progress());
     const double frames = range_.last - range_.first + 1;
@@ -290,7 +293,7 @@ class Frames {
       return DeferredSignals::pending() == 0;
     };
     const RenderResult result =
-        render(ready, scene_.assets, options_.render, {.progress = progress, .traced = &*traced_});
+        trace_picture(options_, options_.render, scene_, *traced_, progress);
     const Outcome outcome = outcome_of(result.status, context_);
     return outcome.error.empty()
                ? write_pictures(options_of(index), result, context_, key_of(index))
@@ -431,9 +434,7 @@ ExitCode run_frames(const Options& given, Context& context) {
       return fail(ExitCode::environment, writable.error().text);
     }
   }
-  LoadedScene scene = load_scene(options.arguments.front(), options, depth_for(options.render),
-                                 options.load.allow_missing, context);
-  check_picture(scene, options.render);
+  LoadedScene scene = load_for_tracing(options, context);
   if (!options.write_scenes.empty() && scene.usable()) {
     // All of them are in the folder of the first.
     carry_files(scene, frame_name(options.write_scenes, 1), options.access, options.load.limits);

@@ -407,8 +407,8 @@ constexpr std::array picture_options{
     OptionRow{
         "--mode", "", "NAME",
         "ray (default), intersect (the course's ray caster: no shadows, reflections or textures), "
-        "normals (colors are normals), or path (path tracing, for render, explain, view, diff and "
-        "grade; the default if the scene has no lights, but faces of meshes that emit light).",
+        "normals (colors are normals), or path (path tracing; the default if the scene has no "
+        "lights, but faces of meshes that emit light).",
         for_tracing | for_pictures | for_view, word<modes, &Options::render, &RenderOptions::mode>,
         "mode"},
     OptionRow{
@@ -501,22 +501,21 @@ constexpr std::array paths_options{
     OptionRow{"--light-samples", "", "N",
               "With --mode path: points on lamps and area lights for each point of a path (default "
               "1; 0: paths find lamps only by chance).",
-              for_render | for_explain | for_view, set_field<&RenderOptions::light_samples>,
-              "light_samples"},
+              for_tracing | for_view, set_field<&RenderOptions::light_samples>, "light_samples"},
     OptionRow{"--no-mis", "", "",
               "With --mode path: without multiple importance sampling. Diffuse and glossy surfaces "
               "then only use the samples of --light-samples.",
-              for_render | for_explain | for_view,
-              set_flag<false, &Options::render, &RenderOptions::mis>, "mis"},
+              for_tracing | for_view, set_flag<false, &Options::render, &RenderOptions::mis>,
+              "mis"},
     OptionRow{"--direct-only", "", "",
               "With --mode path: only light that comes straight from lamps, also as seen in "
               "mirrors and through glass.",
-              for_render | for_explain | for_view | for_diff,
+              for_tracing | for_view | for_diff,
               set_flag<true, &Options::render, &RenderOptions::direct_only>, "direct_only"},
     OptionRow{"--continue", "", "P",
               "With --mode path: the probability that a path continues after each bounce, up to "
               "0.99 (default: after the third bounce, by the light that it can still add).",
-              for_render | for_explain | for_view,
+              for_tracing | for_view,
               [](Options& o, const std::string& v) {
                 return read_number(v, 0.01, 0.99, o.render.continuation);
               },
@@ -525,23 +524,23 @@ constexpr std::array paths_options{
               "With --mode path: physics (default), or course: as the published pictures of the "
               "course, in which light of lamps falls off with the distance instead of its square, "
               "and materials with a bright Ks have no Kd.",
-              for_render | for_explain | for_view | for_pictures,
+              for_tracing | for_view | for_pictures,
               word<conventions, &Options::render, &RenderOptions::convention>, "convention"},
     OptionRow{
         "--clamp", "", "N",
         "With --mode path: the maximum of indirect light in a sample. Removes bright specks, and "
         "some light.",
-        for_render | for_explain | for_view,
+        for_tracing | for_view,
         [](Options& o, const std::string& v) { return read_number(v, 1e-3, 1e9, o.render.clamp); },
         "clamp"},
     OptionRow{"--tone", "", "NAME",
               "With --mode path, for PNG files: course (default: Reinhard's curve, white is the "
               "brightest pixel, gamma 2) or none. EXR and PFM files are always linear.",
-              for_render, word<tones, &Options::tone>, "", path_only},
+              for_render | for_frames, word<tones, &Options::tone>, "", path_only},
     OptionRow{"--exposure", "", "STOPS",
               "With --mode path, for PNG files: 1 makes the picture twice as bright before tone "
               "mapping, -1 half as bright (default 0).",
-              for_render,
+              for_render | for_frames,
               [](Options& o, const std::string& v) { return read_number(v, -64, 64, o.exposure); },
               "", path_only},
 };

@@ -203,10 +203,6 @@ bool implies_path_mode(const Command& command, const Options& options) {
 // Checks that each option has an effect with the selected engine, profile and mode.
 std::string check_support(const Command& command, const Options& options) {
   if (options.render.mode == Mode::path) {
-    if ((command.bit & (for_render | for_explain | for_view | for_pictures)) == 0) {
-      return fmt::format("--mode path is for render, explain, view, diff and grade, not for {}",
-                         command.name);
-    }
     if (options.engine != Engine::trace) {
       return fmt::format("--mode path is for the ray tracer: leave it out, or {}",
                          options.realtime ? "--profile realtime" : "--engine gl");

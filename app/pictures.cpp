@@ -1,9 +1,11 @@
 #include "app/pictures.h"
 
+#include "app/output.h"
 #include "scenefile/asset/image_file.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/item.h"
 #include "scenefile/io/memory.h"
+#include "scenefile/path/render_path.h"
 #include "scenefile/trace/layers.h"
 
 #include <fmt/format.h>
@@ -77,6 +79,27 @@ Image canvas(int width, int height) {
   ask_for_large_pages(image.rgb.data(), count * sizeof(float));
   image.rgb.resize(count);
   return image;
+}
+
+RenderResult trace_picture(const Options& options, const RenderOptions& render_options,
+                           const LoadedScene& scene, const TraceScene& traced,
+                           const Progress& progress, Image canvas, int* samples) {
+  const RenderScene& ready = scene.ready.scene;
+  if (render_options.mode != Mode::path) {
+    return render(ready, scene.assets, render_options,
+                  {.progress = progress, .canvas = std::move(canvas), .traced = &traced});
+  }
+  PathResult path =
+      render_path(ready, scene.assets, render_options,
+                  {.progress = progress, .seconds = options.seconds, .traced = &traced});
+  if (samples != nullptr) {
+    *samples = static_cast<int>(path.samples);
+  }
+  if (path.state.dropped > 0 && !options.quiet) {
+    say(fmt::format("warning: {} sample{} not finite; their light is missing\n", path.state.dropped,
+                    path.state.dropped == 1 ? " was" : "s were"));
+  }
+  return std::move(static_cast<RenderResult&>(path));
 }
 
 std::string layer_file(const std::string& output, const Layer& layer) {

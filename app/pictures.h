@@ -2,12 +2,19 @@
 // The output files of a render.
 
 #include "app/load.h"
+#include "scenefile/trace/render.h"
 
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace scenefile::app {
+
+/// Traces a picture by rays or paths, as `render` says, with the limits of time and messages of
+/// `options`. `samples`: set to the number per pixel in mode path.
+RenderResult trace_picture(const Options& options, const RenderOptions& render,
+                           const LoadedScene& scene, const TraceScene& traced,
+                           const Progress& progress, Image canvas = {}, int* samples = nullptr);
 
 /// The paths: the output, and for PNG one for each layer, such as x.depth.png for x.png.
 std::vector<std::string> picture_files(const Options& options);

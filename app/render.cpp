@@ -14,7 +14,6 @@
 #include "scenefile/base/text.h"
 #include "scenefile/io/interrupt.h"
 #include "scenefile/io/parallel.h"
-#include "scenefile/path/render_path.h"
 #include "scenefile/trace/layers.h"
 #include "scenefile/trace/picture_state.h"
 #include "scenefile/trace/trace_scene.h"
@@ -67,13 +66,8 @@ class Drawing {
   // Adds its work to the report.
   RenderResult draw(const RenderOptions& options, const Progress& progress, RenderReport& report,
                     Image canvas = {}) {
-    RenderResult result;
-    if (options.mode == Mode::path) {
-      result = draw_paths(options, progress, report);
-    } else {
-      result = render(scene_.ready.scene, scene_.assets, options,
-                      {.progress = progress, .canvas = std::move(canvas), .traced = &traced_});
-    }
+    RenderResult result = trace_picture(options_, options, scene_, traced_, progress,
+                                        std::move(canvas), &report.options.samples);
     report.stats.build_seconds = result.stats.build_seconds;
     report.stats.primary_rays += result.stats.primary_rays;
     report.stats.shadow_rays += result.stats.shadow_rays;
@@ -83,20 +77,6 @@ class Drawing {
   }
 
  private:
-  // Sets the number of samples taken.
-  RenderResult draw_paths(const RenderOptions& options, const Progress& progress,
-                          RenderReport& report) {
-    PathResult path =
-        render_path(scene_.ready.scene, scene_.assets, options,
-                    {.progress = progress, .seconds = options_.seconds, .traced = &traced_});
-    report.options.samples = static_cast<int>(path.samples);
-    if (path.state.dropped > 0 && !options_.quiet) {
-      say(fmt::format("warning: {} sample{} not finite; their light is missing\n",
-                      path.state.dropped, path.state.dropped == 1 ? " was" : "s were"));
-    }
-    return std::move(static_cast<RenderResult&>(path));
-  }
-
   const Options& options_;
   LoadedScene& scene_;
   TraceScene traced_;

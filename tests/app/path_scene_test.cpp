@@ -97,6 +97,18 @@ TEST_F(PathScene, AnExportedSceneIsDrawnAlike) {
   EXPECT_THAT(glb.out, HasSubstr(R"("emissiveStrength":17)"));
 }
 
+TEST_F(PathScene, FramesArePathTraced) {
+  const ProgramRun run = run_program({"frames", scene(), "-o", folder.path("f%d.pfm"),
+                                      "--turntable", "1", "--size", "24x24", "--samples", "4"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_THAT(run.err, HasSubstr("using --mode path"));
+  ASSERT_EQ(run_program({"render", scene(), "-o", folder.path("p.pfm"), "--size", "24x24",
+                         "--samples", "4"})
+                .status,
+            0);
+  EXPECT_THAT(folder.read("f1.pfm"), ::testing::StartsWith(folder.read("p.pfm")));
+}
+
 TEST_F(PathScene, WithLightsMaterialsAreNotRead) {
   folder.write("scenes/models/box.mtl", "nonsense");
   const std::string path = scene(point_light);

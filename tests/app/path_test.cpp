@@ -37,6 +37,23 @@ struct PathCommand : ProgramFolder {
   std::string scene;
 };
 
+TEST_F(PathCommand, DrawsFrames) {
+  const auto frames = [&](const Words& more) {
+    return run_program(Words{"frames", scene, "-o", folder.path("f%d.png"), "--turntable", "2",
+                             "--size", "32x24", "--mode", "path", "--samples", "4"} +
+                       more);
+  };
+  ASSERT_EQ(frames({}).status, 0);
+  ASSERT_EQ(render("a.png", {"--mode", "path", "--samples", "4"}).status, 0);
+  const auto pixels = [&](const std::string& name) { return decode_image(folder.read(name))->rgb; };
+  EXPECT_EQ(pixels("f1.png"), pixels("a.png"));
+  EXPECT_NE(pixels("f2.png"), pixels("a.png"));
+  EXPECT_THAT(frames({}).err, HasSubstr("0 of 2 frames drawn, 2 skipped"));
+  const ProgramRun brighter = frames({"--exposure", "1"});
+  EXPECT_EQ(brighter.status, 1);
+  EXPECT_THAT(brighter.err, HasSubstr("the frame was drawn with exposure = 0, not 1"));
+}
+
 TEST_F(PathCommand, DrawsASceneWithLights) {
   const ProgramRun run = render("a.png", {"--mode", "path", "--samples", "4"});
   EXPECT_EQ(run.status, 0) << run.err;
@@ -121,12 +138,6 @@ TEST_F(PathCommand, RefusesWhatItDoesNotHave) {
     EXPECT_EQ(run.status, 2) << more[0] << run.err;
     EXPECT_THAT(run.err, HasSubstr("leave it out, or --mode ray")) << more[0];
   }
-  const ProgramRun frames = run_program(
-      {"frames", scene, "-o", folder.path("f%d.png"), "--turntable", "2", "--mode", "path"});
-  EXPECT_EQ(frames.status, 2);
-  EXPECT_THAT(
-      frames.err,
-      HasSubstr("--mode path is for render, explain, view, diff and grade, not for frames"));
   const ProgramRun reference =
       run_program({"explain", scene, "--pixel", "5,5", "--mode", "path", "--mine",
                    folder.path("a.png"), "--reference", folder.path("b.png")});

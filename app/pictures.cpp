@@ -37,6 +37,7 @@ Outcome write(const std::string& path, Result<std::string> bytes, std::string_vi
   context.phase = "writing the picture";
   if (!key.empty()) {
     seal_item(*bytes);
+    renew_png_text(*bytes);
   }
   return outcome_of(write_file(path, *bytes));
 }

@@ -43,6 +43,22 @@ TEST(EncodeImage, Png8ContainsTheQuantizedPixels) {
   }
 }
 
+TEST(EncodeImage, ATextOfAPngCanBeChangedInPlace) {
+  const auto with_text = [](const std::string& text) {
+    return *encode_image(gradient(3, 2), ImageFormat::png8, Rounding::nearest, {text});
+  };
+  std::string changed = with_text("sum=0000");
+  changed.replace(changed.find("0000"), 4, "1f2e");
+  EXPECT_NE(changed, with_text("sum=1f2e"));
+  renew_png_text(changed);
+  EXPECT_EQ(changed, with_text("sum=1f2e"));
+  for (std::string other : {with_text(""), std::string("\x89PNG"), std::string()}) {
+    const std::string before = other;
+    renew_png_text(other);
+    EXPECT_EQ(other, before);
+  }
+}
+
 // Each allocation that is kept moves the addresses of the next call; with ISA-L's lower levels,
 // that changed the bytes of one picture in a thousand.
 TEST(EncodeImage, PngDoesNotDependOnMemoryAddresses) {

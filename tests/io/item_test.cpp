@@ -38,6 +38,17 @@ TEST(Item, EveryChangedOrMissingByteIsFound) {
   EXPECT_EQ(read_item(bytes.substr(0, 40)).state, ItemState::damaged);
 }
 
+// The CRC of a text in PNG comes after it, and depends on the checksum.
+TEST(Item, TheCrcAfterTheTextOfAPngIsNotInTheSum) {
+  std::string bytes = "\x89PNG " + item_text(key) + "\1\2\3\4 more";
+  seal_item(bytes);
+  const std::size_t crc = bytes.find('\1');
+  bytes.replace(crc, 4, "\5\6\7\x8");
+  EXPECT_EQ(read_item(bytes).state, ItemState::intact);
+  bytes[crc + 4] = '_';
+  EXPECT_EQ(read_item(bytes).state, ItemState::damaged);
+}
+
 TEST(Item, OtherFilesAreNone) {
   for (const char* const text : {"", "notes", "scenefile item", "scene=1f samples=16"}) {
     EXPECT_EQ(read_item(text).state, ItemState::none);

@@ -117,6 +117,9 @@ struct FileNote {
 Result<std::string> encode_image(const Image& image, ImageFormat format, Rounding rounding,
                                  const FileNote& note = {});
 
+/// Makes a PNG file valid again after its FileNote::text was changed in place. Nothing for others.
+void renew_png_text(std::string& file);
+
 /// Encodes all layers as one OpenEXR file. By its convention the channel X of the layer normal is
 /// called normal.X, channels of a layer without a name have no dot; channels are sorted by these
 /// names. Values are 32-bit floats, integers are 32-bit unsigned. Same layers, same bytes. Fails if

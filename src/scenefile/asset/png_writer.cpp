@@ -89,12 +89,28 @@ void append_header(int width, int height, int bits, std::string& file) {
   file += {static_cast<char>(bits), rgb, 0, 0, 0};
 }
 
+constexpr std::string_view file_start("\x89PNG\r\n\x1a\n", 8);
+constexpr std::size_t text_chunk = file_start.size() + 12 + 13;  // after IHDR
+
 }  // namespace
+
+void renew_png_text(std::string& file) {
+  if (!file.starts_with(file_start) || file.find("tEXt") != text_chunk + 4) {
+    return;
+  }
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    count = count << 8 | static_cast<unsigned char>(file[text_chunk + i]);
+  }
+  std::string crc;
+  append_big_endian(crc, crc_of(file.data() + text_chunk + 4, count + 4));
+  file.replace(text_chunk + 8 + count, crc.size(), crc);
+}
 
 bool stream_png(int width, int height, int bits, Rounding rounding, const RowSource& rows,
                 const ByteSink& sink, std::string_view text) {
   constexpr std::size_t piece = 1 << 16;
-  std::string file("\x89PNG\r\n\x1a\n", 8);
+  std::string file(file_start);
   add_chunk(file, "IHDR", [&] { append_header(width, height, bits, file); });
   if (!text.empty()) {
     add_chunk(file, "tEXt", [&] { file.append("scenefile").append(1, '\0').append(text); });

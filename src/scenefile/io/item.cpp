@@ -29,11 +29,12 @@ std::optional<std::size_t> place_of_sum(std::string_view bytes) {
   return sum + item_sum.size();
 }
 
-// Of all bytes except the checksum.
+// Of all bytes except the checksum, and what depends on it: the CRC that follows a text in PNG.
 std::string checksum_at(std::string_view bytes, std::size_t sum) {
+  const std::size_t crc = bytes.starts_with("\x89PNG") ? 4 : 0;
   Hash hash;
   hash.add(bytes.substr(0, sum));
-  hash.add(bytes.substr(sum + sum_digits));
+  hash.add(bytes.substr(std::min(sum + sum_digits + crc, bytes.size())));
   return fmt::format("{:016x}", hash.value());
 }
 

@@ -16,7 +16,8 @@ namespace scenefile {
 /// quotes and backslashes, if the key is.
 std::string item_text(std::string_view key);
 
-/// Puts the checksum into the first item_text() in the bytes, which are then complete.
+/// Puts the checksum into the first item_text() in the bytes, which are then complete, except the
+/// CRC of the text in a PNG file, which is not part of the checksum: see renew_png_text().
 void seal_item(std::string& bytes);
 
 /// A value that differs between two keys; empty in a key that lacks it.

@@ -476,6 +476,17 @@ TEST(Edits, PlacingReplacesNumbersThatCannotBeRead) {
             with(text, "e9", "0"));
 }
 
+// The reader takes no value of such a matrix.
+TEST(Edits, AMatrixWithARowThatCannotBeReadIsWrittenAnew) {
+  const std::string text = R"(<scenefile><object type="tree" name="root"><transblock>
+<matrix><pos x="1" y="2" z="3"/><row a="0" b="1" c="0" d="0"/><!-- z --><row a="0" b="0" c="1" d="0"/><row a="0" b="0" c="0" d="1"/></matrix>
+<object type="primitive" name="cube"/></transblock></object></scenefile>)";
+  const std::string edited = after_edit(text, setting(ItemKind::primitive, "matrix", 3, "5"));
+  EXPECT_THAT(edited, HasSubstr(R"(<row a="1" b="0" c="0" d="5"/>)"));
+  EXPECT_THAT(edited, HasSubstr("<!-- z -->"));
+  EXPECT_THAT(edited, Not(HasSubstr("<pos")));
+}
+
 TEST(Edits, NothingMovesAnObjectOfATemplate) {
   const Result<Document> document = Document::open(scene_xml, {});
   EXPECT_FALSE(handle_of(*document, nth(*document, ItemKind::primitive)));

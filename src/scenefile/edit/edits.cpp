@@ -6,6 +6,7 @@
 #include "scenefile/edit/document_state.h"
 #include "scenefile/edit/layout.h"
 #include "scenefile/edit/placing.h"
+#include "scenefile/format/xml_scanner.h"
 #include "scenefile/scene/vocabulary.h"
 
 #include <fmt/format.h>
@@ -366,11 +367,15 @@ class Editor {
       return {layout_.set_attribute(item.element, field.name, value,
                                     std::span(after).first(field.name == "name" ? 1 : 2))};
     }
-    if (field.kind == FieldKind::matrix && syntax_[field.element].children.size() != 4) {
+    const bool readable =
+        field.kind != FieldKind::matrix ||
+        (syntax_[field.element].children.size() == 4 &&
+         std::all_of(field.parts.begin(), field.parts.end(), std::mem_fn(&FieldPart::written)));
+    if (!readable) {
       const Piece piece{fresh_element(word_of(item, field.name), known_values(field, values)), {}};
       const std::string indent(layout_.indent_at(field.place.from));
       return {{field.place.from, field.place.size(),
-               layout_.text_of(piece, indent, !layout_.one_line())}};
+               comments_in(field.place) + layout_.text_of(piece, indent, !layout_.one_line())}};
     }
     std::vector<TextChange> changes;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -379,15 +384,23 @@ class Editor {
       }
       const std::string value = state_.attribute_value(*values[i]);
       const FieldPart& part = field.parts[i];
-      if (part.written) {
-        changes.push_back({part.place.from, part.place.size(), value});
-        continue;
-      }
-      const std::vector<PartId>& rows = syntax_[field.element].children;
-      const bool matrix = field.kind == FieldKind::matrix;
-      add_attribute(changes, field, matrix ? rows[i / 4] : field.element, i, value);
+      changes.push_back(part.written ? TextChange{part.place.from, part.place.size(), value}
+                                     : new_attribute(field, i, value));
     }
     return changes;
+  }
+
+  // The comments of a part of the text, one after another.
+  std::string comments_in(TextRange range) const {
+    std::string comments;
+    XmlScanner scanner(std::string_view(state_.text).substr(range.from, range.size()));
+    for (XmlToken token; scanner.next(token);) {
+      if (token.kind == XmlTokenKind::comment) {
+        comments += token.written;
+        comments += ' ';
+      }
+    }
+    return comments;
   }
 
   // The values with those of the field for parts that stay.
@@ -399,22 +412,20 @@ class Editor {
   }
 
   // A part that the element does not have yet, named like the others: v3 beside v1 and v2.
-  void add_attribute(std::vector<TextChange>& changes, const FieldView& field, PartId element,
-                     std::size_t index, const std::string& value) const {
-    const std::size_t first = field.kind == FieldKind::matrix ? index / 4 * 4 : 0;
+  TextChange new_attribute(const FieldView& field, std::size_t index,
+                           const std::string& value) const {
     std::vector<std::string_view> names;
-    for (const FieldPart& part : std::span(field.parts).subspan(first)) {
+    for (const FieldPart& part : field.parts) {
       names.push_back(part.name);
     }
-    const auto attributes = syntax_.attributes(element);
-    constexpr std::array<std::string_view, 4> forms[] = {
-        {"v1", "v2", "v3", "v4"}, {"x", "y", "z", "w"}, {"a", "b", "c", "d"}};
-    const bool has_forms = field.kind == FieldKind::coefficients || field.kind == FieldKind::matrix;
+    const auto attributes = syntax_.attributes(field.element);
+    constexpr std::array<std::string_view, 3> forms[] = {
+        {"v1", "v2", "v3"}, {"x", "y", "z"}, {"a", "b", "c"}};
     for (const auto& form : forms) {
       const bool used = std::any_of(attributes.begin(), attributes.end(), [&](const auto& a) {
         return std::find(form.begin(), form.end(), a.name) != form.end();
       });
-      if (has_forms && used) {
+      if (field.kind == FieldKind::coefficients && used) {
         names.assign(form.begin(), form.end());
         break;
       }
@@ -422,9 +433,7 @@ class Editor {
     if (field.parts.size() == 1) {
       names = {"v"};
     }
-    const std::size_t own = index - first;
-    changes.push_back(
-        layout_.set_attribute(element, names[own], value, std::span(names).first(own)));
+    return layout_.set_attribute(field.element, names[index], value, std::span(names).first(index));
   }
 
   std::vector<TextChange> json_changes(const SceneItem& item, const FieldView& field,

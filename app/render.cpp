@@ -14,8 +14,8 @@
 #include "scenefile/base/text.h"
 #include "scenefile/io/interrupt.h"
 #include "scenefile/io/parallel.h"
+#include "scenefile/trace/film.h"
 #include "scenefile/trace/layers.h"
-#include "scenefile/trace/picture_state.h"
 #include "scenefile/trace/trace_scene.h"
 
 #include <fmt/format.h>

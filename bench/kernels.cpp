@@ -99,28 +99,28 @@ std::vector<glm::dvec2> uvs() {
 template <typename Lookup>
 void look_up(benchmark::State& state, Lookup lookup) {
   const Texture texture = noise(512);
-  const Pyramid pyramid(texture);
+  const MipMap mip_map(texture);
   const std::vector<glm::dvec2> all = uvs();
   for (auto _ : state) {
     for (const glm::dvec2& uv : all) {
-      benchmark::DoNotOptimize(lookup(texture, pyramid, uv));
+      benchmark::DoNotOptimize(lookup(texture, mip_map, uv));
     }
   }
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * all.size()));
 }
 void texture_nearest(benchmark::State& state) {
-  look_up(state, [](const Texture& texture, const Pyramid&, const glm::dvec2& uv) {
+  look_up(state, [](const Texture& texture, const MipMap&, const glm::dvec2& uv) {
     return lookup_nearest(texture, {0, 2, 2}, uv);
   });
 }
 void texture_course_filter(benchmark::State& state) {
-  look_up(state, [](const Texture& texture, const Pyramid&, const glm::dvec2& uv) {
+  look_up(state, [](const Texture& texture, const MipMap&, const glm::dvec2& uv) {
     return lookup_course_filter(texture, {0, 2, 2}, uv);
   });
 }
 void texture_footprint(benchmark::State& state) {
-  look_up(state, [](const Texture&, const Pyramid& pyramid, const glm::dvec2& uv) {
-    return lookup_filtered(pyramid, {0, 2, 2}, uv, {{0.02, 0}, {0, 0.01}});
+  look_up(state, [](const Texture&, const MipMap& mip_map, const glm::dvec2& uv) {
+    return lookup_filtered(mip_map, {0, 2, 2}, uv, {{0.02, 0}, {0, 0.01}});
   });
 }
 BENCHMARK(texture_nearest);

@@ -238,7 +238,7 @@ TEST(XmlScene, MeshesNameTheirFile) {
 
 constexpr std::string_view cube_block =
     "<transblock><object type=\"primitive\" name=\"cube\"/></transblock>";
-constexpr std::string_view part_tree =
+constexpr std::string_view packet_bvh =
     "<object type=\"tree\" name=\"part\"><transblock><object type=\"primitive\" "
     "name=\"cone\"/></transblock></object>";
 
@@ -262,7 +262,7 @@ TEST(XmlScene, MastersAreTemplates) {
                        "type=\"master\" name=\"part\"/>"
                        "</transblock><transblock><object type=\"tree\" "
                        "name=\"part\"/></transblock></object></scenefile>",
-                       part_tree));
+                       packet_bvh));
   EXPECT_THAT(found(reading), IsEmpty());
   const Scene& scene = reading.scene;
   ASSERT_EQ(scene.templates.size(), 1u);
@@ -279,7 +279,7 @@ TEST(XmlScene, AMasterMayComeAfterTheRoot) {
       "<scenefile>\n<object type=\"tree\" name=\"root\"><transblock>\n<object type=\"master\" "
       "name=\"part\"/></transblock>"
       "<transblock>\n<object type=\"tree\" name=\"part\"/></transblock></object>\n{}</scenefile>",
-      part_tree));
+      packet_bvh));
   EXPECT_THAT(found(reading), ElementsAre("5:1 warning xml.master-after-root"));
   for (const NodeId child : reading.scene.nodes[reading.scene.root].children) {
     EXPECT_EQ(reading.scene.nodes[child].instance_of, "part");
@@ -290,7 +290,7 @@ TEST(XmlScene, ATreeInsideATreeMayBeUsedAgain) {
   const Reading reading =
       read(in_root(fmt::format("<transblock><translate x=\"1\" y=\"0\" z=\"0\"/>{}</transblock>\n"
                                "<transblock><object type=\"master\" name=\"part\"/></transblock>",
-                               part_tree)));
+                               packet_bvh)));
   EXPECT_THAT(found(reading), ElementsAre("4:35 warning xml.nested-master"));
   const Scene& scene = reading.scene;
   ASSERT_EQ(scene.templates.size(), 1u);
@@ -304,7 +304,7 @@ TEST(XmlScene, ATreeInsideATreeMayBeUsedAgain) {
 TEST(XmlScene, AnEmptyTreeIsAnInstanceOfATreeInsideATree) {
   const Reading reading = read(in_root(fmt::format(
       "<transblock>{}</transblock>\n<transblock><object type=\"tree\" name=\"part\"/></transblock>",
-      part_tree)));
+      packet_bvh)));
   EXPECT_THAT(found(reading), ElementsAre("4:33 warning xml.nested-master"));
   for (const NodeId child : reading.scene.nodes[reading.scene.root].children) {
     EXPECT_EQ(reading.scene.nodes[child].instance_of, "part");
@@ -315,7 +315,7 @@ TEST(XmlScene, AnEmptyTreeWithoutAMasterSuggestsOne) {
   const Reading reading =
       read(fmt::format("<scenefile>\n{}<object type=\"tree\" name=\"root\"><transblock>\n"
                        "<object type=\"tree\" name=\"prat\"/></transblock></object></scenefile>",
-                       part_tree));
+                       packet_bvh));
   EXPECT_THAT(found(reading), ElementsAre("3:21 warning xml.empty-tree"));
   EXPECT_THAT(reading.diagnostics.list().front().message,
               ::testing::HasSubstr("did you mean \"part\"?"));
@@ -327,7 +327,7 @@ TEST(XmlScene, DuplicateTreeNamesAreAmbiguous) {
   const Reading reading =
       read(in_root(fmt::format("<transblock>{0}</transblock><transblock>{0}</transblock>"
                                "<transblock><object type=\"master\" name=\"part\"/></transblock>",
-                               part_tree)));
+                               packet_bvh)));
   EXPECT_TRUE(reading.scene.templates.empty());
 }
 
@@ -388,7 +388,7 @@ TEST(XmlScene, InstancesInABlockOfSeveralObjects) {
       const std::string root =
           "<object type=\"tree\" name=\"root\"><transblock>" + objects + "</transblock></object>";
       const Reading reading = read_compat(
-          "<scenefile>" + (late ? root + std::string(part_tree) : std::string(part_tree) + root) +
+          "<scenefile>" + (late ? root + std::string(packet_bvh) : std::string(packet_bvh) + root) +
           "</scenefile>");
       EXPECT_FALSE(reading.diagnostics.has_errors());
       const Scene& scene = reading.scene;

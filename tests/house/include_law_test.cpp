@@ -58,7 +58,7 @@ const std::map<std::string, std::string> third_party = {
     {"isa-l/", "asset/isal_packer.cpp"},     {"openexr.h", "asset/exr_reader.cpp"},
     {"embree3/", "trace/embree_scenes.cpp"}, {"embree4/", "trace/embree_scenes.cpp"},
     {"tbb/", "trace/tbb_tasks.cpp"},         {"oneapi/", "trace/tbb_tasks.cpp"},
-    {"EGL/", "view/headless.cpp"},           {"hwy/", "trace/wave.cpp"},
+    {"EGL/", "view/headless.cpp"},           {"hwy/", "trace/wavefront.cpp"},
     {"GLFW/", "viewer/window.cpp"},          {"GL/", "viewer/gl_picture.cpp"},
     {"archive.h", "io/archive.cpp"},         {"archive_entry.h", "io/archive.cpp"},
 };

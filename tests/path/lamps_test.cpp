@@ -4,7 +4,7 @@
 
 #include "path/rooms.h"
 #include "path/statistics.h"
-#include "scenefile/trace/parts.h"
+#include "scenefile/trace/scene_geometry.h"
 
 #include <numbers>
 
@@ -12,7 +12,7 @@ namespace scenefile::path_test {
 namespace {
 
 Lamps lamps_of(const TraceScene& traced) {
-  return Lamps(traced.accelerator().parts(), traced.assets(), traced.pyramids());
+  return Lamps(traced.accelerator().geometry(), traced.assets(), traced.mip_maps());
 }
 
 TEST(PathAlias, ChoosesByWeightAndKeepsTheRestUniform) {

@@ -2,7 +2,7 @@
 
 #include "scenefile/trace/accelerator.h"
 
-#include "scenefile/trace/parts.h"
+#include "scenefile/trace/scene_geometry.h"
 #include "trace/build_scene.h"
 
 #include <gtest/gtest.h>
@@ -207,25 +207,26 @@ RC_GTEST_PROP(Accelerator, FindsWhatLookingAtEveryObjectFinds, ()) {
   RC_ASSERT(tally.differ <= 1);
 }
 
-RC_GTEST_PROP(Accelerator, TheClosestPartIsThatOfTheClosestHit, ()) {
+RC_GTEST_PROP(Accelerator, TheClosestObjectIsThatOfTheClosestHit, ()) {
   Random random(*rc::gen::arbitrary<unsigned>());
   const SceneBuilder b = random_scene(random);
   const Accelerator accelerator(b.scene, b.assets);
-  const std::vector<Part>& root = accelerator.parts().groups[accelerator.parts().root].parts;
+  const std::vector<Object>& root =
+      accelerator.geometry().groups[accelerator.geometry().root].objects;
   for (int i = 0; i < 200; ++i) {
     const Ray ray = random_ray(random, between(random, 0, 8));
     Hit whole;
-    Hit part;
+    Hit quick;
     const bool found = accelerator.closest(ray, 0, infinity, whole);
-    RC_ASSERT(accelerator.closest_part(ray, 0, infinity, part) == found);
+    RC_ASSERT(accelerator.closest_object(ray, 0, infinity, quick) == found);
     if (!found) {
       continue;
     }
-    RC_ASSERT(part.t == whole.t && part.face == whole.face && part.part == whole.part);
-    const bool of_root = std::any_of(root.begin(), root.end(), [&](const Part& p) {
-      return &p == whole.part && p.kind == PartKind::shape;
+    RC_ASSERT(quick.t == whole.t && quick.face == whole.face && quick.object == whole.object);
+    const bool of_root = std::any_of(root.begin(), root.end(), [&](const Object& p) {
+      return &p == whole.object && p.kind == ObjectKind::shape;
     });
-    RC_ASSERT(of_root || part.object_point == whole.object_point);
+    RC_ASSERT(of_root || quick.object_point == whole.object_point);
   }
 }
 

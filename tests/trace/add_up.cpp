@@ -76,7 +76,7 @@ class Sums {
   void check_sum(const RayRecord& ray) {
     Color bounced(0);
     for (const BranchRecord* branch : {&ray.mirror, &ray.glass}) {
-      if (branch->fate == Fate::followed) {
+      if (branch->outcome == BranchOutcome::followed) {
         const RayRecord& child = pixel_.rays.at(branch->ray);
         expect(ray.weight * branch->factor, child.weight, "weight of a bounced ray");
         bounced += branch->factor * child.color;

@@ -20,7 +20,7 @@ template <ColorAt F>
 Color cell(const F& color_at, const glm::dvec2& corner, double size, int level) {
   std::array<Color, 4> colors;
   for (int i = 0; i < 4; ++i) {
-    colors[static_cast<std::size_t>(i)] = color_at(middle_of_quadrant(corner, size, i));
+    colors[static_cast<std::size_t>(i)] = color_at(center_of_quadrant(corner, size, i));
   }
   Color sum(0);
   for (int i = 0; i < 4; ++i) {

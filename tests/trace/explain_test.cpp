@@ -187,21 +187,21 @@ TEST(Explain, SaysWhyABounceIsNotFollowed) {
   mirror.reflective = glm::vec3(0.001f, 0, 0);
   const SceneBuilder b = lit_ball(mirror);
   RenderOptions options = default_options(Profile::fine);
-  const auto fate = [&] {
-    return Explainer(b.scene, b.assets, options).explain(512, 384).rays[0].mirror.fate;
+  const auto outcome = [&] {
+    return Explainer(b.scene, b.assets, options).explain(512, 384).rays[0].mirror.outcome;
   };
-  EXPECT_EQ(fate(), Fate::followed);
+  EXPECT_EQ(outcome(), BranchOutcome::followed);
   options.max_depth = 0;
-  EXPECT_EQ(fate(), Fate::too_deep);
+  EXPECT_EQ(outcome(), BranchOutcome::too_deep);
   options.features.reflect = false;
-  EXPECT_EQ(fate(), Fate::absent);
+  EXPECT_EQ(outcome(), BranchOutcome::absent);
   mirror.reflective = glm::vec3(0.0009f, 0, 0);
   const SceneBuilder faint = lit_ball(mirror);
   EXPECT_EQ(Explainer(faint.scene, faint.assets, default_options(Profile::fine))
                 .explain(512, 384)
                 .rays[0]
-                .mirror.fate,
-            Fate::too_faint);
+                .mirror.outcome,
+            BranchOutcome::too_faint);
 }
 
 TEST(Explain, TotalReflectionHasAWall) {

@@ -1,7 +1,7 @@
 // Compares ray differentials with the rays of neighboring pixels.
 
+#include "scenefile/trace/adaptive_sampler.h"
 #include "scenefile/trace/edges.h"
-#include "scenefile/trace/fine_samples.h"
 #include "trace/build_scene.h"
 #include "trace/scalar_rays.h"
 
@@ -75,8 +75,8 @@ void expect_as_neighbor(const OneShape& scene, const glm::dvec2& pixel, const gl
   const Ray beside = scene.camera.ray(pixel + glm::dvec2(step, 0), lens);
   const Ray below = scene.camera.ray(pixel + glm::dvec2(0, step), lens);
   const RayDifferential from_camera = camera_differential(scene.camera, pixel, lens, 1);
-  expect_near((beside.direction - ray.direction) / step, from_camera.direction.x, "camera, right");
-  expect_near((below.direction - ray.direction) / step, from_camera.direction.y, "camera, down");
+  expect_near((beside.direction - ray.direction) / step, from_camera.direction.dx, "camera, right");
+  expect_near((below.direction - ray.direction) / step, from_camera.direction.dy, "camera, down");
   const std::optional<SurfacePoint> point_beside = scene.point_of(beside);
   // Edges, and grazing angles, where derivatives are limited.
   if (!point || !point_beside || point->hit.face != point_beside->hit.face ||
@@ -86,18 +86,18 @@ void expect_as_neighbor(const OneShape& scene, const glm::dvec2& pixel, const gl
   ++compared;
   const Bent here = OneShape::bend(ray, *point);
   const Bent there = OneShape::bend(beside, *point_beside);
-  const PixelSteps steps = arriving_steps(from_camera, ray.direction, *point);
-  expect_near((there.position - here.position) / step, steps.x, "position");
-  expect_near((there.normal - here.normal) / step, normal_turns(*point, steps).x, "normal");
-  const UvFootprint uv = uv_footprint(*point, steps);
+  const PixelDerivatives dp = hit_derivatives(from_camera, ray.direction, *point);
+  expect_near((there.position - here.position) / step, dp.dx, "position");
+  expect_near((there.normal - here.normal) / step, normal_derivatives(*point, dp).dx, "normal");
+  const UvFootprint uv = uv_footprint(*point, dp);
   expect_near(glm::dvec3((there.uv - here.uv) / step, 0), glm::dvec3(uv.right, 0), "uv");
   const RayDifferential mirrored =
-      mirrored_differential(from_camera, ray.direction, *point, steps, point->normal);
-  expect_near((there.mirrored - here.mirrored) / step, mirrored.direction.x, "mirrored");
-  EXPECT_EQ(mirrored.origin.x, steps.x);
+      mirrored_differential(from_camera, ray.direction, *point, dp, point->normal);
+  expect_near((there.mirrored - here.mirrored) / step, mirrored.direction.dx, "mirrored");
+  EXPECT_EQ(mirrored.origin.dx, dp.dx);
   const RayDifferential refracted =
-      refracted_differential(from_camera, ray.direction, *point, steps, point->normal, 1 / 1.5);
-  expect_near((there.refracted - here.refracted) / step, refracted.direction.x, "refracted");
+      refracted_differential(from_camera, ray.direction, *point, dp, point->normal, 1 / 1.5);
+  expect_near((there.refracted - here.refracted) / step, refracted.direction.dx, "refracted");
 }
 
 class Footprint : public testing::TestWithParam<Shape> {};
@@ -167,26 +167,26 @@ TEST(Edges, TheLargestContrastOfEightNeighbors) {
 
 TEST(SamplePlan, StartsAtTheCenterUnlessMoreSamplesAreRequested) {
   RenderOptions options;
-  const auto plan = [&](Softness softness = Softness::none) {
-    return sample_plan(options, softness);
+  const auto plan = [&](NoiseSource noise_source = NoiseSource::none) {
+    return sample_plan(options, noise_source);
   };
   EXPECT_TRUE(plan().two_passes);
-  EXPECT_FALSE(plan(Softness::area_lights).middles);
-  EXPECT_FALSE(plan(Softness::area_lights).two_passes);
-  EXPECT_FALSE(plan(Softness::lens).middles);
-  EXPECT_TRUE(plan(Softness::lens).two_passes);
-  EXPECT_LT(plan(Softness::lens).first, plan(Softness::lens).most);
-  EXPECT_EQ(plan(Softness::strong_lens).first, plan(Softness::strong_lens).most);
-  EXPECT_FALSE(plan(Softness::strong_lens).two_passes);
+  EXPECT_FALSE(plan(NoiseSource::area_lights).centers_first);
+  EXPECT_FALSE(plan(NoiseSource::area_lights).two_passes);
+  EXPECT_FALSE(plan(NoiseSource::lens).centers_first);
+  EXPECT_TRUE(plan(NoiseSource::lens).two_passes);
+  EXPECT_LT(plan(NoiseSource::lens).first, plan(NoiseSource::lens).most);
+  EXPECT_EQ(plan(NoiseSource::strong_lens).first, plan(NoiseSource::strong_lens).most);
+  EXPECT_FALSE(plan(NoiseSource::strong_lens).two_passes);
   options.samples = 1;
-  EXPECT_TRUE(plan().middles);
+  EXPECT_TRUE(plan().centers_first);
   EXPECT_FALSE(plan().two_passes);
   options.samples = 16;
   options.min_samples = 2;
-  EXPECT_FALSE(plan().middles);
+  EXPECT_FALSE(plan().centers_first);
   EXPECT_EQ(plan().first, 2u);
   options.min_samples = 16;
-  EXPECT_FALSE(plan(Softness::lens).two_passes);
+  EXPECT_FALSE(plan(NoiseSource::lens).two_passes);
   options.min_samples = 1;
   options.samples = 4096;
   EXPECT_GT(plan().first, 32u) << "all pixels of a picture to be exact";

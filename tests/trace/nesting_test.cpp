@@ -122,7 +122,7 @@ TEST(Nesting, BombsEndQuickly) {
   }
 }
 
-// Groups with so many objects that no two levels can be merged.
+// Groups with so many objects that no two levels can be flattened.
 SceneBuilder deep(std::uint32_t levels) {
   constexpr int things = 256;
   SceneBuilder b;

@@ -17,17 +17,19 @@ glm::dvec3 vector_of(const one::V3& v) {
   return {v.x, v.y, v.z};
 }
 
-PixelSteps steps_of(const one::Steps& steps) {
-  return {vector_of(steps.x), vector_of(steps.y)};
+PixelDerivatives derivatives_of(const one::Derivatives& d) {
+  return {vector_of(d.dx), vector_of(d.dy)};
 }
 
-one::Steps in_lane(const PixelSteps& steps) {
-  return {splat3(steps.x), splat3(steps.y)};
+one::Derivatives in_lane(const PixelDerivatives& d) {
+  return {splat3(d.dx), splat3(d.dy)};
 }
 
 // Derivatives of the normal, on the side of the normal `wanted`.
-one::Steps turns_of(const SurfacePoint& point, const PixelSteps& steps, const glm::dvec3& wanted) {
-  return one::on_side(in_lane(normal_turns(point, steps)), splat3(point.geometric), splat3(wanted));
+one::Derivatives dn_of(const SurfacePoint& point, const PixelDerivatives& dp,
+                       const glm::dvec3& wanted) {
+  return one::on_side(in_lane(normal_derivatives(point, dp)), splat3(point.geometric),
+                      splat3(wanted));
 }
 
 }  // namespace
@@ -52,40 +54,43 @@ bool refract_direction(const glm::dvec3& direction, const glm::dvec3& normal, do
 
 RayDifferential camera_differential(const CameraRays& camera, const glm::dvec2& pixel,
                                     const glm::dvec2& lens, double width) {
-  return {{}, steps_of(one::camera_steps(camera.frame(), pixel.x, pixel.y, lens.x, lens.y, width))};
+  return {{},
+          derivatives_of(
+              one::camera_derivatives(camera.frame(), pixel.x, pixel.y, lens.x, lens.y, width))};
 }
 
-PixelSteps arriving_steps(const RayDifferential& ray, const glm::dvec3& direction,
-                          const SurfacePoint& point) {
-  return steps_of(one::arriving_steps(in_lane(ray.origin), in_lane(ray.direction),
-                                      splat3(direction), splat3(point.geometric), point.hit.t));
+PixelDerivatives hit_derivatives(const RayDifferential& ray, const glm::dvec3& direction,
+                                 const SurfacePoint& point) {
+  return derivatives_of(one::hit_derivatives(in_lane(ray.origin), in_lane(ray.direction),
+                                             splat3(direction), splat3(point.geometric),
+                                             point.hit.t));
 }
 
-PixelSteps normal_turns(const SurfacePoint& point, const PixelSteps& steps) {
+PixelDerivatives normal_derivatives(const SurfacePoint& point, const PixelDerivatives& dp) {
   const glm::dmat3& map = point.hit.object_from_world.linear;
-  const auto turn = [&](const glm::dvec3& step) {
-    return vector_of(one::world_normal_turn(
+  const auto dn = [&](const glm::dvec3& step) {
+    return vector_of(one::world_normal_derivative(
         splat3(map[0]), splat3(map[1]), splat3(map[2]), static_cast<int>(point.hit.shape),
         static_cast<int>(point.hit.face), splat3(point.hit.object_point),
         splat3(point.object.normal), splat3(step)));
   };
-  return {turn(steps.x), turn(steps.y)};
+  return {dn(dp.dx), dn(dp.dy)};
 }
 
 RayDifferential mirrored_differential(const RayDifferential& ray, const glm::dvec3& direction,
-                                      const SurfacePoint& point, const PixelSteps& steps,
+                                      const SurfacePoint& point, const PixelDerivatives& dp,
                                       const glm::dvec3& normal) {
-  return {steps,
-          steps_of(one::mirrored_steps(splat3(direction), splat3(normal), in_lane(ray.direction),
-                                       turns_of(point, steps, normal)))};
+  return {dp, derivatives_of(one::mirrored_derivatives(splat3(direction), splat3(normal),
+                                                       in_lane(ray.direction),
+                                                       dn_of(point, dp, normal)))};
 }
 
 RayDifferential refracted_differential(const RayDifferential& ray, const glm::dvec3& direction,
-                                       const SurfacePoint& point, const PixelSteps& steps,
+                                       const SurfacePoint& point, const PixelDerivatives& dp,
                                        const glm::dvec3& normal, double eta) {
-  return {steps,
-          steps_of(one::refracted_steps(splat3(direction), splat3(normal), eta,
-                                        in_lane(ray.direction), turns_of(point, steps, normal)))};
+  return {dp, derivatives_of(one::refracted_derivatives(splat3(direction), splat3(normal), eta,
+                                                        in_lane(ray.direction),
+                                                        dn_of(point, dp, normal)))};
 }
 
 }  // namespace scenefile

@@ -1,5 +1,5 @@
 #pragma once
-// Directions and differentials of single rays, by the formulas of the waves for one lane.
+// Directions and differentials of single rays, by the formulas of the wavefronts for one lane.
 
 #include "scenefile/trace/footprint.h"
 #include "scenefile/trace/optics.h"
@@ -24,21 +24,21 @@ RayDifferential camera_differential(const CameraRays& camera, const glm::dvec2& 
                                     const glm::dvec2& lens, double width);
 
 /// The derivatives of the point where a ray with that unit direction hits the surface.
-PixelSteps arriving_steps(const RayDifferential& ray, const glm::dvec3& direction,
-                          const SurfacePoint& point);
+PixelDerivatives hit_derivatives(const RayDifferential& ray, const glm::dvec3& direction,
+                                 const SurfacePoint& point);
 
-/// The derivatives of the geometric normal for these steps.
-PixelSteps normal_turns(const SurfacePoint& point, const PixelSteps& steps);
+/// The derivatives of the geometric normal. `dp`: of the point.
+PixelDerivatives normal_derivatives(const SurfacePoint& point, const PixelDerivatives& dp);
 
-/// After a reflection. `steps`: derivatives of the point; `normal`: the one used for the
+/// After a reflection. `dp`: of the point; `normal`: the one used for the
 /// reflection.
 RayDifferential mirrored_differential(const RayDifferential& ray, const glm::dvec3& direction,
-                                      const SurfacePoint& point, const PixelSteps& steps,
+                                      const SurfacePoint& point, const PixelDerivatives& dp,
                                       const glm::dvec3& normal);
 
 /// After a refraction. `normal` points against the ray; `eta` as for refract_direction().
 RayDifferential refracted_differential(const RayDifferential& ray, const glm::dvec3& direction,
-                                       const SurfacePoint& point, const PixelSteps& steps,
+                                       const SurfacePoint& point, const PixelDerivatives& dp,
                                        const glm::dvec3& normal, double eta);
 
 }  // namespace scenefile

@@ -2,7 +2,7 @@
 
 #include "scenefile/base/shape_traits.h"
 #include "scenefile/trace/sequence.h"
-#include "scenefile/trace/wave.h"
+#include "scenefile/trace/wavefront.h"
 #include "trace/scalar_lights.h"
 #include "trace/scalar_rays.h"
 
@@ -103,11 +103,11 @@ struct Reflector {
 }  // namespace
 
 Color shade(const Tracer& tracer, SurfacePoint& point, const glm::dvec3& direction,
-            const PixelSteps& steps, const SampleKey& key, ScalarCounts& counts) {
-  apply_bump(tracer, point, steps, key.texture_grid);
+            const PixelDerivatives& dp, const SampleKey& key, ScalarCounts& counts) {
+  apply_bump(tracer, point, dp, key.texture_grid);
   const RenderGlobal& global = tracer.scene.global;
   const RenderMaterial& material = *point.material;
-  const std::optional<Color> texture = texture_color(tracer, point, steps, key.texture_grid);
+  const std::optional<Color> texture = texture_color(tracer, point, dp, key.texture_grid);
   if (counts.recorder != nullptr && texture) {
     counts.recorder->textured(tracer.assets.textures[material.texture.file], material,
                               point.object.uv, *texture);

@@ -10,6 +10,6 @@ namespace scenefile {
 /// The ambient, diffuse and specular light that the point reflects against `direction`, the unit
 /// direction of the ray that hit it. Applies the bump map to the shading normal.
 Color shade(const Tracer& tracer, SurfacePoint& point, const glm::dvec3& direction,
-            const PixelSteps& steps, const SampleKey& key, ScalarCounts& counts);
+            const PixelDerivatives& dp, const SampleKey& key, ScalarCounts& counts);
 
 }  // namespace scenefile

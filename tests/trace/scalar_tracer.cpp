@@ -48,10 +48,10 @@ class Integrator {
     if (counts_.recorder != nullptr) {
       counts_.recorder->met(path.ray, path.start, point);
     }
-    const PixelSteps steps = arriving_steps(path.differential, path.ray.direction, point);
+    const PixelDerivatives dp = hit_derivatives(path.differential, path.ray.direction, point);
     const bool inner = leaves(path, hit);
     Color color =
-        inner ? Color(0) : shade(tracer_, point, path.ray.direction, steps, path.key, counts_);
+        inner ? Color(0) : shade(tracer_, point, path.ray.direction, dp, path.key, counts_);
     if (counts_.recorder != nullptr) {
       if (inner) {
         counts_.recorder->inner_wall();
@@ -59,7 +59,7 @@ class Integrator {
       counts_.recorder->shaded(color);
     }
     if (tracer_.options.mode == Mode::ray) {
-      color += follow(path, point, steps, inner);
+      color += follow(path, point, dp, inner);
     }
     if (counts_.recorder != nullptr) {
       counts_.recorder->summed(color);
@@ -69,7 +69,7 @@ class Integrator {
 
   // Whether the ray hits the wall of the object that it is inside of.
   static bool leaves(const Path& path, const Hit& hit) {
-    return path.inside != nullptr && same_object(*path.inside->object, hit);
+    return path.inside != nullptr && same_object(*path.inside->hit, hit);
   }
 
   // The surface to shade. A ray inside a transparent object is first refracted or reflected at the
@@ -101,13 +101,13 @@ class Integrator {
     const double start = path.start;
     glm::dvec3 direction;
     const bool through = refract_direction(path.ray.direction, normal, ior, direction);
-    const PixelSteps steps = arriving_steps(path.differential, path.ray.direction, wall);
+    const PixelDerivatives dp = hit_derivatives(path.differential, path.ray.direction, wall);
     if (through) {
       path.inside = path.inside->around;
-      refract(path, wall, steps, normal, ior, direction);
+      refract(path, wall, dp, normal, ior, direction);
     } else {
       ++path.depth;
-      mirror(path, wall, steps, normal);
+      mirror(path, wall, dp, normal);
     }
     if (counts_.recorder != nullptr) {
       counts_.recorder->wall(arriving, start, wall, normal, path.ray.direction, !through);
@@ -123,20 +123,20 @@ class Integrator {
     return glm::dot(normal, direction) < 0 ? normal : geometric;
   }
 
-  void mirror(Path& path, const SurfacePoint& point, const PixelSteps& steps,
+  void mirror(Path& path, const SurfacePoint& point, const PixelDerivatives& dp,
               const glm::dvec3& normal) const {
     if (!tracer_.course()) {
       path.differential =
-          mirrored_differential(path.differential, path.ray.direction, point, steps, normal);
+          mirrored_differential(path.differential, path.ray.direction, point, dp, normal);
     }
     redirect(path, point, reflect_direction(path.ray.direction, normal));
   }
 
-  void refract(Path& path, const SurfacePoint& point, const PixelSteps& steps,
+  void refract(Path& path, const SurfacePoint& point, const PixelDerivatives& dp,
                const glm::dvec3& normal, double eta, const glm::dvec3& direction) const {
     if (!tracer_.course()) {
       path.differential =
-          refracted_differential(path.differential, path.ray.direction, point, steps, normal, eta);
+          refracted_differential(path.differential, path.ray.direction, point, dp, normal, eta);
     }
     redirect(path, point, direction);
   }
@@ -163,20 +163,23 @@ class Integrator {
     return result;
   }
 
-  Color follow(const Path& path, const SurfacePoint& point, const PixelSteps& steps, bool inner) {
+  Color follow(const Path& path, const SurfacePoint& point, const PixelDerivatives& dp,
+               bool inner) {
     const Features& features = tracer_.options.features;
     const auto [of_mirrors, glass] = branches(path, point, inner);
     // A passage counts as one refraction: leaving is free.
     const int depth_behind = path.depth + (inner ? 0 : 1);
-    const Fate of_mirror = fate(path, features.reflect || inner, of_mirrors, path.depth + 1);
-    const Fate of_glass = fate(path, features.refract, glass, depth_behind);
-    const bool reflects = of_mirror == Fate::followed;
-    const bool refracts = of_glass == Fate::followed;
+    const BranchOutcome of_mirror =
+        outcome_of(path, features.reflect || inner, of_mirrors, path.depth + 1);
+    const BranchOutcome of_glass = outcome_of(path, features.refract, glass, depth_behind);
+    const bool reflects = of_mirror == BranchOutcome::followed;
+    const bool refracts = of_glass == BranchOutcome::followed;
     const std::uint32_t children = std::uint32_t(reflects) + std::uint32_t(refracts);
     const bool too_many = path.budget <= children;
     if (counts_.recorder != nullptr) {
-      counts_.recorder->branches({reflects && too_many ? Fate::too_many : of_mirror, of_mirrors},
-                                 {refracts && too_many ? Fate::too_many : of_glass, glass});
+      counts_.recorder->branches(
+          {reflects && too_many ? BranchOutcome::too_many : of_mirror, of_mirrors},
+          {refracts && too_many ? BranchOutcome::too_many : of_glass, glass});
     }
     if (children == 0 || too_many) {
       return Color(0);
@@ -186,27 +189,28 @@ class Integrator {
     if (reflects) {
       const glm::dvec3 normal = inner ? inner_normal(point, path.ray.direction) : point.normal;
       Path next = child(path, of_mirrors, budget, RayKind::reflected);
-      mirror(next, point, steps, normal);
+      mirror(next, point, dp, normal);
       sum += of_mirrors * trace(next);
     }
     if (refracts) {
       const Inside inside{&point.hit, path.inside};
-      Path next = refracted(path, point, steps, glass, budget, inside, inner);
+      Path next = refracted(path, point, dp, glass, budget, inside, inner);
       next.depth = depth_behind;
       sum += glass * trace(next);
     }
     return sum;
   }
 
-  Fate fate(const Path& path, bool feature, const Color& factor, int depth_behind) const {
+  BranchOutcome outcome_of(const Path& path, bool feature, const Color& factor,
+                           int depth_behind) const {
     if (!feature || factor == Color(0)) {
-      return Fate::absent;
+      return BranchOutcome::absent;
     }
     if (depth_behind > tracer_.options.max_depth) {
-      return Fate::too_deep;
+      return BranchOutcome::too_deep;
     }
     const bool worth = tracer_.course() || path.weight * largest(factor) >= min_weight;
-    return worth ? Fate::followed : Fate::too_faint;
+    return worth ? BranchOutcome::followed : BranchOutcome::too_faint;
   }
 
   Path child(const Path& path, const Color& factor, std::uint32_t budget, RayKind kind) {
@@ -225,7 +229,7 @@ class Integrator {
   }
 
   // At total internal reflection, the ray is reflected instead.
-  Path refracted(const Path& path, const SurfacePoint& point, const PixelSteps& steps,
+  Path refracted(const Path& path, const SurfacePoint& point, const PixelDerivatives& dp,
                  const Color& factor, std::uint32_t budget, const Inside& inside, bool inner) {
     const bool entering = enters(path, point, inner);
     const glm::dvec3 normal = inner_normal(point, path.ray.direction);
@@ -234,9 +238,9 @@ class Integrator {
     glm::dvec3 direction;
     const bool through = refract_direction(path.ray.direction, normal, ratio, direction);
     if (through) {
-      refract(next, point, steps, normal, ratio, direction);
+      refract(next, point, dp, normal, ratio, direction);
     } else {
-      mirror(next, point, steps, normal);
+      mirror(next, point, dp, normal);
       if (counts_.recorder != nullptr) {
         counts_.recorder->total_reflection();
       }
@@ -333,15 +337,16 @@ Color course_pixel(const Tracer& tracer, const CameraRays& camera, int x, int y,
                                               : color_at(corner + 0.5);
 }
 
-void take_samples(const Tracer& tracer, const CameraRays& camera, const FineSampler& sampler, int x,
-                  int y, std::uint16_t mark, PixelSamples& samples, ScalarCounts& counts) {
+void take_samples(const Tracer& tracer, const CameraRays& camera, const AdaptiveSampler& sampler,
+                  int x, int y, std::uint16_t refinement, PixelSamples& samples,
+                  ScalarCounts& counts) {
   do {
     for (const std::uint32_t count = sampler.next_count(samples.count); samples.count < count;) {
       const std::uint64_t penumbras = counts.penumbras;
       const Color color = trace_sample(tracer, camera, sampler.sample(x, y, samples.count), counts);
       samples.add(color, counts.penumbras != penumbras);
     }
-  } while (!sampler.enough(samples, mark));
+  } while (!sampler.enough(samples, refinement));
 }
 
 }  // namespace scenefile

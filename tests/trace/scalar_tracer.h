@@ -1,9 +1,9 @@
 #pragma once
-// The scalar tracer: recursive ray tracing, one ray after the other. The reference for waves, which
-// must agree with it to the last bit.
+// The scalar tracer: recursive ray tracing, one ray after the other. The reference for wavefronts,
+// which must agree with it to the last bit.
 
+#include "scenefile/trace/adaptive_sampler.h"
 #include "scenefile/trace/camera_rays.h"
-#include "scenefile/trace/fine_samples.h"
 #include "scenefile/trace/path.h"
 #include "trace/recorder.h"
 
@@ -18,7 +18,8 @@ Color course_pixel(const Tracer& tracer, const CameraRays& camera, int x, int y,
                    ScalarCounts& counts);
 
 /// Takes pattern samples of a pixel of the fine profile, round by round, until it has enough.
-void take_samples(const Tracer& tracer, const CameraRays& camera, const FineSampler& sampler, int x,
-                  int y, std::uint16_t mark, PixelSamples& samples, ScalarCounts& counts);
+void take_samples(const Tracer& tracer, const CameraRays& camera, const AdaptiveSampler& sampler,
+                  int x, int y, std::uint16_t refinement, PixelSamples& samples,
+                  ScalarCounts& counts);
 
 }  // namespace scenefile

@@ -1,7 +1,7 @@
 #pragma once
 // Records what the camera rays of a pixel hit, for the single-ray tracer.
 
-#include "scenefile/trace/surface_sample.h"
+#include "scenefile/trace/aov_sample.h"
 #include "trace/recorder.h"
 
 namespace scenefile {
@@ -15,7 +15,7 @@ class SurfaceRecorder final : public Recorder {
   /// Starts a new pixel.
   void clear();
 
-  const PixelSurfaces& surfaces() const { return surfaces_; }
+  const PixelAovs& surfaces() const { return surfaces_; }
 
   void begin_sample(const glm::dvec2& point, const glm::dvec2& lens) override;
   void end_sample(const Color& color) override;
@@ -33,7 +33,7 @@ class SurfaceRecorder final : public Recorder {
 
   const RenderScene& scene_;
   std::vector<std::uint32_t> lights_;
-  PixelSurfaces surfaces_;
+  PixelAovs surfaces_;
   Color unshadowed_{0};  // of the current light
   Color diffused_{0};    // of that light
   int nesting_ = 0;      // number of nested rays

@@ -46,7 +46,7 @@ TEST(TextureLookup, CourseFilterWeighsFromTheCorner) {
 }
 
 double filtered(const Texture& t, double u, double width) {
-  const Pyramid p(t);
+  const MipMap p(t);
   return lookup_filtered(p, {0, 1, 1}, {u, 0.5}, {{width, 0}, {0, width}}).x * 255;
 }
 
@@ -74,14 +74,14 @@ TEST(TextureLookup, LongFootprintsStaySharpAcross) {
     std::fill(v.begin() + 64, v.begin() + 128, std::uint8_t{240});
     return v;
   }());
-  const Pyramid p(t);
+  const MipMap p(t);
   const glm::dvec3 c = lookup_filtered(p, {0, 1, 1}, {0.5, 0.625}, {{0.2, 0}, {0, 1e-3}});
   EXPECT_NEAR(c.x * 255, 240, 1e-6);
 }
 
-TEST(Pyramid, LevelsAreAreaAverages) {
+TEST(MipMap, LevelsAreAreaAverages) {
   const Texture t = gray(5, 1, {0, 50, 100, 150, 200});
-  const Pyramid p(t);
+  const MipMap p(t);
   ASSERT_EQ(p.levels(), 3);
   EXPECT_EQ(p.level(1).width, 2);
   EXPECT_EQ(int(p.level(1).texel(0, 0)[0]), 40);  // (0 + 50 + 100 / 2) / 2.5

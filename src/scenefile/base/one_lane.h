@@ -62,7 +62,7 @@ F each(M m, const Function& f, F x, F y) {
   return m ? f(x, y) : 0.0;
 }
 
-// For arrays of numbers (trace/wave_memory.h).
+// For arrays of numbers (trace/wavefront_memory.h).
 
 /// A mask of lanes 0 to count - 1.
 inline M first_lanes(std::size_t count) {

@@ -112,24 +112,24 @@ class Remarks {
           "the material is transparent, but transparentcoeff is 0 or missing: nothing is "
           "refracted");
     }
-    about_fate("reflected", ray.mirror.fate);
-    about_fate("refracted", ray.glass.fate);
+    about_outcome("reflected", ray.mirror.outcome);
+    about_outcome("refracted", ray.glass.outcome);
   }
 
-  void about_fate(std::string_view ray, Fate fate) {
-    switch (fate) {
-      case Fate::absent:
-      case Fate::followed:
+  void about_outcome(std::string_view ray, BranchOutcome outcome) {
+    switch (outcome) {
+      case BranchOutcome::absent:
+      case BranchOutcome::followed:
         break;
-      case Fate::too_deep:
+      case BranchOutcome::too_deep:
         add(RemarkKind::too_deep, fmt::format("the {} ray is not followed: --max-depth {}", ray,
                                               pixel_.options.max_depth));
         break;
-      case Fate::too_faint:
+      case BranchOutcome::too_faint:
         add(RemarkKind::too_faint,
             fmt::format("the {} ray is not followed: it cannot change the pixel by 1/1024", ray));
         break;
-      case Fate::too_many:
+      case BranchOutcome::too_many:
         add(RemarkKind::too_many,
             fmt::format("the {} ray is not followed: the sample has used up its rays", ray));
         break;

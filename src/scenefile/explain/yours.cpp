@@ -163,7 +163,7 @@ class Variants {
     }
     const dvec3 reflective(material.reflective);
     const auto& mirror = pixel_.rays.front().mirror;
-    if (mirror.fate == Fate::followed) {
+    if (mirror.outcome == BranchOutcome::followed) {
       const dvec3 local = all - terms_.mirror;
       const dvec3 factor(mirror.factor);
       offer("with the reflection blended with the lighting, not added",
@@ -266,7 +266,7 @@ Terms terms_of(const PixelRecord& pixel) {
   }
   for (const auto& [branch, term] :
        {std::pair(&ray.mirror, &terms.mirror), std::pair(&ray.glass, &terms.glass)}) {
-    if (branch->fate == Fate::followed) {
+    if (branch->outcome == BranchOutcome::followed) {
       *term = dvec3(branch->factor) * dvec3(pixel.rays[branch->ray].color);
     }
   }

@@ -3,8 +3,8 @@
 #include "scenefile/path/path_kernel.h"
 #include "scenefile/path/path_state.h"
 #include "scenefile/trace/no_denormals.h"
+#include "scenefile/trace/ray_tree_recorder.h"
 #include "scenefile/trace/tasks.h"
-#include "scenefile/trace/wave_trail.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "scenefile/path/lamps.h"
 
-#include "scenefile/trace/parts.h"
+#include "scenefile/trace/scene_geometry.h"
 #include "scenefile/trace/surface_point.h"
 
 #include <algorithm>
@@ -53,10 +53,10 @@ glm::dvec2 in_triangle(const glm::dvec2& p) {
 
 }  // namespace
 
-Color map_color(std::span<const Pyramid> pyramids, std::uint32_t map, const glm::dvec2& uv) {
-  return map == no_map || pyramids[map].empty()
+Color map_color(std::span<const MipMap> mip_maps, std::uint32_t map, const glm::dvec2& uv) {
+  return map == no_map || mip_maps[map].empty()
              ? Color(1)
-             : lookup_filtered(pyramids[map], RenderTexture{map}, uv, UvFootprint());
+             : lookup_filtered(mip_maps[map], RenderTexture{map}, uv, UvFootprint());
 }
 
 AliasTable::AliasTable(const std::vector<double>& weights) : entries_(weights.size()) {
@@ -96,46 +96,47 @@ std::uint32_t AliasTable::choose(double& u) const {
   return rest < keep ? index : other;
 }
 
-Lamps::Lamps(const Parts& parts, const Assets& assets, std::span<const Pyramid> pyramids)
-    : assets_(&assets), pyramids_(pyramids), radiance_(mean_radiance(assets)) {
-  if (!parts.groups.empty()) {
-    find_places(parts);
-    add_triangles(parts);
+Lamps::Lamps(const SceneGeometry& geometry, const Assets& assets, std::span<const MipMap> mip_maps)
+    : assets_(&assets), mip_maps_(mip_maps), radiance_(mean_radiance(assets)) {
+  if (!geometry.groups.empty()) {
+    find_places(geometry);
+    add_triangles(geometry);
   }
 }
 
-void Lamps::find_places(const Parts& parts) {
+void Lamps::find_places(const SceneGeometry& geometry) {
   const auto shines = [&](std::uint32_t mesh) {
     return mesh < radiance_.size() && std::any_of(radiance_[mesh].begin(), radiance_[mesh].end(),
                                                   [](double radiance) { return radiance > 0; });
   };
   // Groups come after those that they contain.
-  std::vector<bool> group_shines(parts.groups.size());
-  const auto part_shines = [&](const Part& part) {
-    return (part.kind == PartKind::mesh && shines(part.target)) ||
-           (part.kind == PartKind::group && group_shines[part.target]);
+  std::vector<bool> group_shines(geometry.groups.size());
+  const auto object_shines = [&](const Object& object) {
+    return (object.kind == ObjectKind::mesh && shines(object.target)) ||
+           (object.kind == ObjectKind::instance && group_shines[object.target]);
   };
-  for (std::size_t g = 0; g < parts.groups.size(); ++g) {
-    const std::vector<Part>& list = parts.groups[g].parts;
-    group_shines[g] = std::any_of(list.begin(), list.end(), part_shines);
+  for (std::size_t g = 0; g < geometry.groups.size(); ++g) {
+    const std::vector<Object>& list = geometry.groups[g].objects;
+    group_shines[g] = std::any_of(list.begin(), list.end(), object_shines);
   }
   struct Entered {
     std::uint32_t group = 0;
     DAffine group_from_world;
   };
-  std::vector<Entered> open{{parts.root, {}}};
+  std::vector<Entered> open{{geometry.root, {}}};
   while (!open.empty() && places_.size() + open.size() <= most_lamps) {
     const Entered entered = open.back();
     open.pop_back();
-    for (const Part& part : parts.groups[entered.group].parts) {
-      if (!part_shines(part)) {
+    for (const Object& object : geometry.groups[entered.group].objects) {
+      if (!object_shines(object)) {
         continue;
       }
-      const DAffine part_from_world = DAffine(part.part_from_group) * entered.group_from_world;
-      if (part.kind == PartKind::group) {
-        open.push_back({part.target, part_from_world});
+      const DAffine object_from_world =
+          DAffine(object.object_from_group) * entered.group_from_world;
+      if (object.kind == ObjectKind::instance) {
+        open.push_back({object.target, object_from_world});
       } else {
-        places_.push_back({inverse(part_from_world), part_from_world, part.target});
+        places_.push_back({inverse(object_from_world), object_from_world, object.target});
       }
     }
   }
@@ -153,13 +154,13 @@ void Lamps::find_places(const Parts& parts) {
                 places_.end());
 }
 
-void Lamps::add_triangles(const Parts& parts) {
+void Lamps::add_triangles(const SceneGeometry& geometry) {
   std::vector<double> powers;
   for (std::uint32_t p = 0; p < places_.size(); ++p) {
     const Place& place = places_[p];
     const Mesh& mesh = assets_->meshes[place.mesh];
     const std::vector<std::uint32_t>& materials = assets_->mesh_materials[place.mesh].of_triangle;
-    const std::vector<std::uint32_t>& hit = parts.meshes[place.mesh].triangles;
+    const std::vector<std::uint32_t>& hit = geometry.meshes[place.mesh].triangles;
     const std::size_t count = hit.empty() ? mesh.triangles.size() : hit.size();
     for (std::size_t i = 0; i < count && triangles_.size() <= most_lamps; ++i) {
       const std::uint32_t index = hit.empty() ? static_cast<std::uint32_t>(i) : hit[i];
@@ -206,7 +207,7 @@ LampPoint Lamps::sample(glm::dvec2 point) const {
                                                 weights.y * (corner(2) - corner(0)));
   lamp.normal = world_normal(place.object_from_world, surface.normal);
   lamp.emission =
-      Color(material.emission) * map_color(pyramids_, material.emission_map, surface.uv);
+      Color(material.emission) * map_color(mip_maps_, material.emission_map, surface.uv);
   lamp.density = density(place.mesh, index);
   lamp.triangle = chosen;
   lamp.weights = weights;

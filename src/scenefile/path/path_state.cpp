@@ -50,10 +50,10 @@ RenderStatus add_samples(const PathScene& scene, std::uint32_t samples, PathStat
   const PixelRegion& region = state.region;
   std::atomic<std::uint64_t> primary{0}, shadow{0}, secondary{0}, dropped{0};
   const bool recorded = !state.layers.empty() || !state.guides.empty();
-  Watch watch(progress);
-  const auto given_up = [&] { return watch.stopped() || scene.tracer.accelerator.overwhelmed(); };
-  Pieces tiles(region.width(), region.height());
-  for_each_piece(tiles, {}, watch, [&](const Tile& tile) {
+  ProgressMonitor monitor(progress);
+  const auto given_up = [&] { return monitor.stopped() || scene.tracer.accelerator.overwhelmed(); };
+  TileFlags tiles(region.width(), region.height());
+  for_each_unfinished_tile(tiles, {}, monitor, [&](const Tile& tile) {
     RayCounts counts;
     std::uint64_t bad = 0;
     PathRecord path;
@@ -83,7 +83,7 @@ RenderStatus add_samples(const PathScene& scene, std::uint32_t samples, PathStat
   stats.secondary_rays += secondary;
   state.dropped += dropped;
   return scene.tracer.accelerator.overwhelmed() ? RenderStatus::limit_reached
-         : watch.stopped()                      ? RenderStatus::cancelled
+         : monitor.stopped()                    ? RenderStatus::cancelled
                                                 : RenderStatus::complete;
 }
 

@@ -2,7 +2,7 @@
 #include "scenefile/base/vector-inl.h"
 #include "scenefile/path/path_scene.h"
 #include "scenefile/trace/optics-inl.h"
-#include "scenefile/trace/parts.h"
+#include "scenefile/trace/scene_geometry.h"
 #include "scenefile/trace/surface_color.h"
 
 #include <algorithm>
@@ -30,11 +30,11 @@ Transmission transmission_of(const Tracer& tracer) {
   for (const RenderMaterial& material : scene.materials) {
     factors.push_back(tracer.transparency(material));
   }
-  for (const Group& group : tracer.accelerator.parts().groups) {
-    for (const Part& part : group.parts) {
-      if (part.kind == PartKind::mesh && part.target < tracer.assets.mesh_materials.size() &&
-          !tracer.assets.mesh_materials[part.target].of_triangle.empty()) {
-        factors[part.material] = glm::dvec3(0);
+  for (const Group& group : tracer.accelerator.geometry().groups) {
+    for (const Object& object : group.objects) {
+      if (object.kind == ObjectKind::mesh && object.target < tracer.assets.mesh_materials.size() &&
+          !tracer.assets.mesh_materials[object.target].of_triangle.empty()) {
+        factors[object.material] = glm::dvec3(0);
       }
     }
   }
@@ -127,12 +127,12 @@ Bsdf bsdf_of(const Tracer& tracer, const FaceMaterial& material, const glm::dvec
     return bsdf;
   }
   const Color specular =
-      Color(material.specular) * map_color(tracer.pyramids, material.specular_map, uv);
+      Color(material.specular) * map_color(tracer.mip_maps, material.specular_map, uv);
   if (material.illum == illum_mirror) {
     bsdf.mirror = specular;
     return bsdf;
   }
-  bsdf.diffuse = Color(material.diffuse) * map_color(tracer.pyramids, material.diffuse_map, uv);
+  bsdf.diffuse = Color(material.diffuse) * map_color(tracer.mip_maps, material.diffuse_map, uv);
   bsdf.glossy = specular;
   return bsdf;
 }
@@ -159,7 +159,7 @@ PathScene::PathScene(const TraceScene& traced, const RenderScene& scene, const R
       options(in_range(o)),
       camera(tracer.camera()),
       transmission(transmission_of(tracer)),
-      lamps(tracer.accelerator.parts(), tracer.assets, tracer.pyramids) {
+      lamps(tracer.accelerator.geometry(), tracer.assets, tracer.mip_maps) {
   find_other_faces(tracer.assets, lamps, *this);
 }
 
@@ -179,7 +179,7 @@ PathPoint path_point(const PathScene& scene, const Ray& ray, const Hit& ray_hit)
     point.bsdf = bsdf_of(tracer, *material, surface.object.uv);
     if (material->emission != glm::vec3(0) && glm::dot(surface.geometric, ray.direction) < 0) {
       point.emission = Color(material->emission) *
-                       map_color(tracer.pyramids, material->emission_map, surface.object.uv);
+                       map_color(tracer.mip_maps, material->emission_map, surface.object.uv);
       point.lamp_density = scene.lamps.density(hit.mesh, point.material);
     }
   }

@@ -1,7 +1,7 @@
 #include "scenefile/path/render_path.h"
 
 #include "scenefile/path/path_scene.h"
-#include "scenefile/trace/picture_state.h"
+#include "scenefile/trace/film.h"
 #include "scenefile/trace/tasks.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "scenefile/trace/accelerator.h"
 
-#include "scenefile/trace/build_parts.h"
-#include "scenefile/trace/once.h"
-#include "scenefile/trace/part_tree.h"
+#include "scenefile/trace/build_geometry.h"
+#include "scenefile/trace/once_flag.h"
+#include "scenefile/trace/packet_bvh.h"
 #include "scenefile/trace/search.h"
 
 #include <algorithm>
@@ -12,11 +12,11 @@ namespace scenefile {
 
 struct Accelerator::Structure {
   RayScenes scenes;
-  Parts parts;
+  SceneGeometry geometry;
   Instances instances = Instances::unnamed;
   AcceleratorStatus status = AcceleratorStatus::ready;
-  mutable Once tree_made;
-  mutable PartTree tree;
+  mutable OnceFlag packet_bvh_made;
+  mutable PacketBvh packet_bvh;
 };
 
 namespace {
@@ -34,20 +34,20 @@ bool finite(const Ray& ray) {
   return std::isfinite(sum.x + sum.y + sum.z);
 }
 
-// Searches all parts, or part `only` of the root group. Returns whether a hit was found.
-bool search(Query& q, const Parts& parts, MeshDistance mesh_distance, const Ray& ray,
+// Searches all objects, or object `only` of the root group. Returns whether a hit was found.
+bool search(Query& q, const SceneGeometry& geometry, MeshDistance mesh_distance, const Ray& ray,
             std::atomic<bool>& overwhelmed, std::uint32_t only = no_index) {
-  if (parts.groups.empty() || !finite(ray)) {
+  if (geometry.groups.empty() || !finite(ray)) {
     return false;
   }
   q.mesh_distances = mesh_distance == MeshDistance::of_mesh;
-  q.reach = q.mesh_distances ? parts.reach : 1;
-  q.parts = &parts;
-  const Group& root = parts.groups[parts.root];
+  q.reach = q.mesh_distances ? geometry.reach : 1;
+  q.geometry = &geometry;
+  const Group& root = geometry.groups[geometry.root];
   if (only == no_index) {
     search_group(q, root, ray);
   } else {
-    test_part(q, root, only, ray);
+    test_object(q, root, only, ray);
   }
   if (q.overwhelmed) {
     overwhelmed.store(true, std::memory_order_relaxed);
@@ -55,23 +55,23 @@ bool search(Query& q, const Parts& parts, MeshDistance mesh_distance, const Ray&
   return q.found && !q.overwhelmed;
 }
 
-void fill(const Query& q, const Parts& parts, const Ray& ray, Hit& hit) {
-  const Part& part = *q.part;
+void fill(const Query& q, const SceneGeometry& geometry, const Ray& ray, Hit& hit) {
+  const Object& object = *q.object;
   hit.t = q.best;
-  hit.shape = part.shape;
+  hit.shape = object.shape;
   hit.face = q.face;
-  hit.mesh = part.kind == PartKind::mesh ? part.target : no_index;
+  hit.mesh = object.kind == ObjectKind::mesh ? object.target : no_index;
   hit.triangle = q.triangle;
   hit.b1 = q.b1;
   hit.b2 = q.b2;
-  hit.material = part.material;
-  hit.source = part.source;
-  hit.part = &part;
+  hit.material = object.material;
+  hit.source = object.source;
+  hit.object = &object;
   hit.object_from_world = DAffine();
-  std::uint32_t group = parts.root;
+  std::uint32_t group = geometry.root;
   for (std::uint32_t i = 0; i <= q.found_depth; ++i) {
-    const Part& step = parts.groups[group].parts[q.found_path[i]];
-    hit.object_from_world = DAffine(step.part_from_group) * hit.object_from_world;
+    const Object& step = geometry.groups[group].objects[q.found_path[i]];
+    hit.object_from_world = DAffine(step.object_from_group) * hit.object_from_world;
     group = step.target;
   }
   hit.object_point = hit.object_from_world.point(ray.origin + q.best * ray.direction);
@@ -84,9 +84,9 @@ Query query_of(double t_min, double t_max) {
   return q;
 }
 
-bool has(const std::vector<Part>& parts, PartKind kind) {
-  return std::any_of(parts.begin(), parts.end(),
-                     [&](const Part& part) { return part.kind == kind; });
+bool has(const std::vector<Object>& objects, ObjectKind kind) {
+  return std::any_of(objects.begin(), objects.end(),
+                     [&](const Object& object) { return object.kind == kind; });
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ Accelerator::Accelerator(const RenderScene& scene, const Assets& assets,
   const auto structure = std::make_shared<Structure>();
   structure->instances = options.instances;
   structure->status =
-      build_parts(scene, assets, options.instances, structure->scenes, structure->parts);
+      build_geometry(scene, assets, options.instances, structure->scenes, structure->geometry);
   structure_ = structure;
 }
 
@@ -112,26 +112,26 @@ AcceleratorStatus Accelerator::status() const {
 
 bool Accelerator::closest(const Ray& ray, double t_min, double t_max, Hit& hit) const {
   Query q = query_of(t_min, t_max);
-  const Parts& parts = structure_->parts;
-  if (!search(q, parts, mesh_distance_, ray, overwhelmed_)) {
+  const SceneGeometry& geometry = structure_->geometry;
+  if (!search(q, geometry, mesh_distance_, ray, overwhelmed_)) {
     return false;
   }
-  fill(q, parts, ray, hit);
+  fill(q, geometry, ray, hit);
   return true;
 }
 
-bool Accelerator::closest_part(const Ray& ray, double t_min, double t_max, Hit& hit) const {
+bool Accelerator::closest_object(const Ray& ray, double t_min, double t_max, Hit& hit) const {
   Query q = query_of(t_min, t_max);
-  const Parts& parts = structure_->parts;
-  if (!search(q, parts, mesh_distance_, ray, overwhelmed_)) {
+  const SceneGeometry& geometry = structure_->geometry;
+  if (!search(q, geometry, mesh_distance_, ray, overwhelmed_)) {
     return false;
   }
-  if (q.found_depth == 0 && q.part->kind == PartKind::shape) {
+  if (q.found_depth == 0 && q.object->kind == ObjectKind::shape) {
     hit.t = q.best;
     hit.face = q.face;
-    hit.part = q.part;
+    hit.object = q.object;
   } else {
-    fill(q, parts, ray, hit);
+    fill(q, geometry, ray, hit);
   }
   return true;
 }
@@ -139,11 +139,11 @@ bool Accelerator::closest_part(const Ray& ray, double t_min, double t_max, Hit& 
 bool Accelerator::closest_in(std::uint32_t index, const Ray& ray, double t_min, double t_max,
                              Hit& hit) const {
   Query q = query_of(t_min, t_max);
-  const Parts& parts = structure_->parts;
-  if (!search(q, parts, mesh_distance_, ray, overwhelmed_, index)) {
+  const SceneGeometry& geometry = structure_->geometry;
+  if (!search(q, geometry, mesh_distance_, ray, overwhelmed_, index)) {
     return false;
   }
-  fill(q, parts, ray, hit);
+  fill(q, geometry, ray, hit);
   return true;
 }
 
@@ -151,25 +151,25 @@ bool Accelerator::occluded_by(std::uint32_t index, const Ray& ray, double t_min,
                               double t_max) const {
   Query q = query_of(t_min, t_max);
   q.shadow = true;
-  search(q, structure_->parts, mesh_distance_, ray, overwhelmed_, index);
+  search(q, structure_->geometry, mesh_distance_, ray, overwhelmed_, index);
   return q.blocked;
 }
 
 std::vector<std::uint32_t> Accelerator::instances_of_closest(const Ray& ray, double t_min,
                                                              double t_max) const {
   Query q = query_of(t_min, t_max);
-  const Parts& parts = structure_->parts;
+  const SceneGeometry& geometry = structure_->geometry;
   std::vector<std::uint32_t> names;
   if (structure_->instances == Instances::unnamed ||
-      !search(q, parts, mesh_distance_, ray, overwhelmed_)) {
+      !search(q, geometry, mesh_distance_, ray, overwhelmed_)) {
     return names;
   }
-  std::uint32_t index = parts.root;
+  std::uint32_t index = geometry.root;
   for (std::uint32_t i = 0; i <= q.found_depth; ++i) {
-    const Group& group = parts.groups[index];
+    const Group& group = geometry.groups[index];
     const std::vector<std::uint32_t>& step = group.instances[q.found_path[i]];
     names.insert(names.end(), step.begin(), step.end());
-    index = group.parts[q.found_path[i]].target;
+    index = group.objects[q.found_path[i]].target;
   }
   return names;
 }
@@ -180,36 +180,36 @@ glm::dvec3 Accelerator::transmittance(const Ray& ray, double t_min, double t_max
   Query q = query_of(t_min, t_max);
   q.shadow = true;
   q.transmission = transmission.all_opaque() ? nullptr : &transmission;
-  search(q, structure_->parts, mesh_distance_, ray, overwhelmed_);
-  if (blocker != nullptr && q.part != nullptr) {
-    *blocker = q.part;
+  search(q, structure_->geometry, mesh_distance_, ray, overwhelmed_);
+  if (blocker != nullptr && q.object != nullptr) {
+    *blocker = q.object;
   }
   return q.blocked ? glm::dvec3(0) : Transmission::factor(q.density);
 }
 
-const Parts& Accelerator::parts() const {
-  return structure_->parts;
+const SceneGeometry& Accelerator::geometry() const {
+  return structure_->geometry;
 }
 
-const PartTree& Accelerator::part_tree() const {
+const PacketBvh& Accelerator::packet_bvh() const {
   const Structure& structure = *structure_;
-  structure.tree_made([&] {
-    if (structure.parts.groups.empty()) {
+  structure.packet_bvh_made([&] {
+    if (structure.geometry.groups.empty()) {
       return;
     }
-    const Group& root = structure.parts.groups[structure.parts.root];
-    const bool few =
-        root.parts.size() <= PartTree::fewest_parts && !has(root.parts, PartKind::mesh);
-    if (!few && root.boxes.size() == root.parts.size() && root.extent.scale == 1 &&
-        !has(root.parts, PartKind::group)) {
-      structure.tree = PartTree(root.boxes);
+    const Group& root = structure.geometry.groups[structure.geometry.root];
+    const bool few = root.objects.size() <= PacketBvh::max_linear_objects &&
+                     !has(root.objects, ObjectKind::mesh);
+    if (!few && root.boxes.size() == root.objects.size() && root.extent.scale == 1 &&
+        !has(root.objects, ObjectKind::instance)) {
+      structure.packet_bvh = PacketBvh(root.boxes);
     }
   });
-  return structure.tree;
+  return structure.packet_bvh;
 }
 
 double Accelerator::mesh_reach() const {
-  return mesh_distance_ == MeshDistance::of_mesh ? structure_->parts.reach : 1;
+  return mesh_distance_ == MeshDistance::of_mesh ? structure_->geometry.reach : 1;
 }
 
 bool Accelerator::overwhelmed() const {
@@ -217,7 +217,7 @@ bool Accelerator::overwhelmed() const {
 }
 
 bool same_object(const Hit& a, const Hit& b) {
-  return a.part == b.part && a.object_from_world == b.object_from_world;
+  return a.object == b.object && a.object_from_world == b.object_from_world;
 }
 
 Transmission::Transmission(const std::vector<glm::dvec3>& factors) {

@@ -4,7 +4,7 @@
 #include "scenefile/asset/load_assets.h"
 #include "scenefile/geometry/shapes.h"
 #include "scenefile/scene/render_scene.h"
-#include "scenefile/trace/merge_groups.h"
+#include "scenefile/trace/flatten_instances.h"
 
 #include <glm/glm.hpp>
 
@@ -15,8 +15,8 @@
 
 namespace scenefile {
 
-struct Parts;
-class PartTree;
+struct SceneGeometry;
+class PacketBvh;
 
 /// The point where a ray hit a surface.
 struct Hit {
@@ -29,7 +29,7 @@ struct Hit {
   double b2 = 0;                  ///< meshes: the same for its third corner
   std::uint32_t material = 0;     ///< into RenderScene::materials
   std::uint32_t source = 0;       ///< of the primitive
-  const void* part = nullptr;     ///< identifies the primitive; all its instances share the value
+  const void* object = nullptr;   ///< identifies the primitive; all its instances share the value
   DAffine object_from_world;      ///< of the primitive, including all instances
   glm::dvec3 object_point{0};     ///< the point in object space
 };
@@ -61,7 +61,7 @@ class Transmission {
 
 enum class AcceleratorStatus : std::uint8_t {
   ready,
-  too_deep,       ///< instances are nested deeper than max_instance_nesting after merging
+  too_deep,       ///< instances are nested deeper than max_instance_nesting after flattening
   out_of_memory,  ///< or another failure of Embree
 };
 
@@ -102,13 +102,13 @@ class Accelerator {
   /// nothing.
   bool closest(const Ray& ray, double t_min, double t_max, Hit& hit) const;
 
-  /// The same for callers that know parts(): for a shape of the root group, only sets t, face and
-  /// part.
-  bool closest_part(const Ray& ray, double t_min, double t_max, Hit& hit) const;
+  /// The same for callers that know geometry(): for a shape of the root group, only sets t, face
+  /// and object.
+  bool closest_object(const Ray& ray, double t_min, double t_max, Hit& hit) const;
 
-  /// The same among part `index` of the root group, a mesh.
+  /// The same among object `index` of the root group, a mesh.
   bool closest_in(std::uint32_t index, const Ray& ray, double t_min, double t_max, Hit& hit) const;
-  /// Whether part `index` of the root group, a mesh, is hit at t_min < t < t_max.
+  /// Whether object `index` of the root group, a mesh, is hit at t_min < t < t_max.
   bool occluded_by(std::uint32_t index, const Ray& ray, double t_min, double t_max) const;
 
   /// The `source` of the instances around the nearest surface, outermost first; empty if they are
@@ -116,16 +116,16 @@ class Accelerator {
   std::vector<std::uint32_t> instances_of_closest(const Ray& ray, double t_min, double t_max) const;
 
   /// The fraction of light that remains along the ray at t_min < t < t_max; each object counts
-  /// once. `blocker`: if the ray hits a part that lets no light through, set to its Hit::part.
+  /// once. `blocker`: if the ray hits an object that lets no light through, set to its Hit::object.
   glm::dvec3 transmittance(const Ray& ray, double t_min, double t_max,
                            const Transmission& transmission, const void** blocker = nullptr) const;
 
-  /// The parts that rays are tested against, for other search algorithms; no groups if the scene is
-  /// empty.
-  const Parts& parts() const;
-  /// A BVH of the root group's parts, for bundles of rays; empty if there are few or very many
-  /// parts, or instances among them. Built at the first call.
-  const PartTree& part_tree() const;
+  /// The objects that rays are tested against, for other search algorithms; no groups if the scene
+  /// is empty.
+  const SceneGeometry& geometry() const;
+  /// A BVH of the root group's objects, for packets of rays; empty if there are few or very many
+  /// objects, or instances among them. Built at the first call.
+  const PacketBvh& packet_bvh() const;
   /// An upper bound of the actual distance of a hit on a mesh, relative to the distance that counts
   /// (MeshDistance); at least 1.
   double mesh_reach() const;

@@ -12,8 +12,8 @@ struct CameraRay {
 // The direction through (x, y) of the picture, in pixels; not normalized. Computed from the center,
 // so that opposite pixels get exactly mirrored rays.
 inline V3 pinhole_forward(const CameraFrame& camera, F x, F y) {
-  const F right = (x - splat(camera.middle_x)) * splat(camera.pixel);
-  const F up = (splat(camera.middle_y) - y) * splat(camera.pixel);
+  const F right = (x - splat(camera.center_x)) * splat(camera.pixel);
+  const F up = (splat(camera.center_y) - y) * splat(camera.pixel);
   return right * splat3(camera.u) + up * splat3(camera.v) - splat3(camera.w);
 }
 

@@ -15,8 +15,8 @@ struct CameraFrame {
   glm::dvec3 u{1, 0, 0};  ///< to the right, unit length
   glm::dvec3 v{0, 1, 0};  ///< up
   glm::dvec3 w{0, 0, 1};  ///< opposite to the view direction
-  double middle_x = 0;    ///< center of the picture, pixels
-  double middle_y = 0;
+  double center_x = 0;    ///< center of the picture, pixels
+  double center_y = 0;
   double pixel = 1;  ///< width of a pixel at unit distance
   double aperture = 0;
   double focal_length = 0;

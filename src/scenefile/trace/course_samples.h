@@ -24,7 +24,7 @@ inline bool differ(const Color& a, const Color& b) {
 inline glm::dvec2 quadrant(const glm::dvec2& corner, double size, int index) {
   return corner + size / 2 * glm::dvec2(index % 2, index / 2);
 }
-inline glm::dvec2 middle_of_quadrant(const glm::dvec2& corner, double size, int index) {
+inline glm::dvec2 center_of_quadrant(const glm::dvec2& corner, double size, int index) {
   return quadrant(corner, size, index) + size / 4;
 }
 

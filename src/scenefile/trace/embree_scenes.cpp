@@ -1,13 +1,13 @@
 // The only file that includes Embree. Each scene has one user geometry whose primitives are the
-// group's parts, or the triangles of a mesh, in single precision and with padded boxes. Embree's
+// group's objects, or the triangles of a mesh, in single precision and with padded boxes. Embree's
 // instances are not used, because common builds only allow one level of them and abort at the
 // second.
 
 #include "scenefile/geometry/ray_box.h"
-#include "scenefile/trace/hand_over.h"
 #include "scenefile/trace/next_up.h"
 #include "scenefile/trace/ray_scenes.h"
 #include "scenefile/trace/triangle.h"
+#include "scenefile/trace/tsan_handoff.h"
 
 #if SCENEFILE_EMBREE_MAJOR == 4
 #include <embree4/rtcore.h>
@@ -50,7 +50,7 @@ struct Search {
   BaseContext base;
   Query* query = nullptr;
   Level level;
-  const Part* mesh_part = nullptr;
+  const Object* mesh_object = nullptr;
   bool mesh_crossed = false;
 };
 
@@ -135,7 +135,7 @@ void search_scene(Search& s, RTCScene scene, const RTCRay& start) {
 }
 
 void group_bounds_callback(const RTCBoundsFunctionArguments* arguments) {
-  const HandOver hand_over;
+  const TsanHandoff handoff;
   const auto& group = *static_cast<const Group*>(arguments->geometryUserPtr);
   const FloatBox& box = group.boxes[arguments->primID];
   *arguments->bounds_o = {box.min[0], box.min[1], box.min[2], 0.0f,
@@ -150,7 +150,7 @@ void group_intersect_callback(const RTCIntersectFunctionNArguments* arguments) {
   Query& q = *s.query;
   const auto& group = *static_cast<const Group*>(arguments->geometryUserPtr);
   const double before = q.best;
-  test_part(q, group, arguments->primID, *s.level.ray);
+  test_object(q, group, arguments->primID, *s.level.ray);
   if (q.best == before) {
     return;
   }
@@ -170,7 +170,7 @@ void group_occluded_callback(const RTCOccludedFunctionNArguments* arguments) {
   Search& s = search_of(arguments->context);
   Query& q = *s.query;
   const auto& group = *static_cast<const Group*>(arguments->geometryUserPtr);
-  test_part(q, group, arguments->primID, *s.level.ray);
+  test_object(q, group, arguments->primID, *s.level.ray);
   if (q.blocked) {
     reinterpret_cast<RTCRay*>(arguments->ray)->tfar = -std::numeric_limits<float>::infinity();
   }
@@ -189,7 +189,7 @@ void mesh_intersect_filter(const RTCFilterFunctionNArguments* arguments) {
     arguments->valid[0] = 0;
     return;
   }
-  accept(q, *s.mesh_part, t);
+  accept(q, *s.mesh_object, t);
   q.triangle = triangle;
   q.b1 = hit.b1;
   q.b2 = hit.b2;
@@ -212,9 +212,9 @@ void mesh_occluded_filter(const RTCFilterFunctionNArguments* arguments) {
   }
 }
 
-RTCGeometry parts_geometry(RTCDevice device, Group& group) {
+RTCGeometry group_geometry(RTCDevice device, Group& group) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(group.parts.size()));
+  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(group.objects.size()));
   rtcSetGeometryUserData(geometry, &group);
   rtcSetGeometryBoundsFunction(
       geometry, [](const RTCBoundsFunctionArguments* a) { group_bounds_callback(a); }, nullptr);
@@ -284,9 +284,9 @@ struct RayScenes::State {
     rtcAttachGeometry(scene, geometry);
     rtcReleaseGeometry(geometry);
     // Not in a separate arena: scenes outlive it, and TBB would never free it.
-    HandOver::give();
+    TsanHandoff::give();
     rtcCommitScene(scene);
-    HandOver::collect();
+    TsanHandoff::collect();
     return scene;
   }
 };
@@ -325,7 +325,7 @@ bool RayScenes::good() const {
 
 void RayScenes::add(Group& group) {
   if (state_->good()) {
-    group.scene = state_->commit(parts_geometry(state_->device, group), RTC_SCENE_FLAG_NONE);
+    group.scene = state_->commit(group_geometry(state_->device, group), RTC_SCENE_FLAG_NONE);
   }
 }
 
@@ -346,11 +346,11 @@ void search_group_scene(Query& q, const Group& group, const Ray& ray) {
   }
 }
 
-bool mesh_scene_crossed(Query& q, const Part& part, const Ray& ray) {
-  const MeshScene& mesh = q.parts->meshes[part.target];
+bool mesh_scene_crossed(Query& q, const Object& object, const Ray& ray) {
+  const MeshScene& mesh = q.geometry->meshes[object.target];
   Search search;
   search.query = &q;
-  search.mesh_part = &part;
+  search.mesh_object = &object;
   RTCRay start;
   const double end = q.best / q.mesh_scale;
   if (start_in_box(q.t_min / q.mesh_scale, end, ray, mesh.extent, search.level, start)) {

@@ -1,12 +1,12 @@
 #include "scenefile/trace/explain.h"
 
+#include "scenefile/trace/adaptive_sampler.h"
 #include "scenefile/trace/course_samples.h"
 #include "scenefile/trace/edges.h"
-#include "scenefile/trace/fine_samples.h"
 #include "scenefile/trace/no_denormals.h"
+#include "scenefile/trace/pixel_sampler.h"
+#include "scenefile/trace/ray_tree_recorder.h"
 #include "scenefile/trace/tiles.h"
-#include "scenefile/trace/wave_pixels.h"
-#include "scenefile/trace/wave_trail.h"
 
 #include <algorithm>
 #include <utility>
@@ -29,14 +29,14 @@ std::vector<glm::ivec2> neighborhood(const RenderOptions& options, const glm::iv
 // What the first pass of a picture stores of a pixel.
 struct FirstLook {
   glm::vec3 color;
-  std::uint16_t signature;
+  std::uint16_t surface_hash;
   bool complete;  // it took all samples
 };
 
-Contrast largest_contrast(const std::vector<FirstLook>& looks, const FirstLook& middle) {
+Contrast largest_contrast(const std::vector<FirstLook>& looks, const FirstLook& center) {
   Contrast contrast;
   for (const FirstLook& look : looks) {
-    raise(contrast, &middle.color.x, &look.color.x, look.signature == middle.signature);
+    raise(contrast, &center.color.x, &look.color.x, look.surface_hash == center.surface_hash);
   }
   return contrast;
 }
@@ -56,7 +56,7 @@ void link_cell(std::vector<SampleRecord>& samples) {
   }
 }
 
-std::uint32_t nearest_to_middle(const std::vector<SampleRecord>& samples, int x, int y) {
+std::uint32_t nearest_to_center(const std::vector<SampleRecord>& samples, int x, int y) {
   std::uint32_t best = 0;
   double least = 2;
   for (std::uint32_t i = 0; i < samples.size(); ++i) {
@@ -76,55 +76,56 @@ struct Explainer::Impl {
       : limit(options.threads),
         tracer(TraceScene(scene, assets, {.instance_names = true}), scene, options),
         camera(tracer.camera()),
-        waves(tracer, camera),
+        wavefronts(tracer, camera),
         sampler(tracer, camera) {}
 
-  std::vector<FirstLook> first_pass(WaveSampler& drawn, const std::vector<glm::ivec2>& pixels) {
+  std::vector<FirstLook> first_pass(PixelSampler& pixel_sampler,
+                                    const std::vector<glm::ivec2>& pixels) {
     std::vector<FirstLook> looks;
-    if (sampler.plan().middles) {
-      for (const WaveSight& sight : drawn.middles(sampler, pixels)) {
-        looks.push_back({sight.color, kept_signature(sight.signature), false});
+    if (sampler.plan().centers_first) {
+      for (const SampleResult& result : pixel_sampler.center_samples(sampler, pixels)) {
+        looks.push_back({result.color, kept_hash(result.surface_hash), false});
       }
       return looks;
     }
-    const std::vector<std::uint16_t> marks(pixels.size());
-    for (const DrawnPixel& pixel : drawn.take(sampler, pixels, marks)) {
+    const std::vector<std::uint16_t> refinements(pixels.size());
+    for (const SampledPixel& pixel : pixel_sampler.take(sampler, pixels, refinements)) {
       looks.push_back({pixel.samples.mean(), 0, pixel.samples.count == sampler.plan().most});
     }
     return looks;
   }
 
   // As render() draws it.
-  DrawnPixel draw(const glm::ivec2& at, MoreSamples& more) {
-    const SurfaceWish wish{true, {}, false};
+  SampledPixel draw(const glm::ivec2& at, MoreSamples& more) {
+    const AovRequest request{true, {}, false};
     RayCounts counts;
-    WaveSampler drawn(waves, pool, wish, counts);
+    PixelSampler pixel_sampler(wavefronts, pool, request, counts);
     const std::span<const glm::ivec2> only(&at, 1);
     if (tracer.course()) {
-      return std::move(drawn.course(only).front());
+      return std::move(pixel_sampler.course(only).front());
     }
-    std::uint16_t mark = 0;
+    std::uint16_t refinement = 0;
     if (sampler.plan().two_passes) {
       const std::vector<glm::ivec2> pixels = neighborhood(tracer.options, at);
-      const std::vector<FirstLook> looks = first_pass(drawn, pixels);
-      const auto middle = std::find(pixels.begin(), pixels.end(), at) - pixels.begin();
-      const FirstLook& own = looks[static_cast<std::size_t>(middle)];
-      mark = own.complete ? 0 : sampler.mark_of(largest_contrast(looks, own));
-      more.neighbors = mark != 0;
+      const std::vector<FirstLook> looks = first_pass(pixel_sampler, pixels);
+      const auto center = std::find(pixels.begin(), pixels.end(), at) - pixels.begin();
+      const FirstLook& own = looks[static_cast<std::size_t>(center)];
+      refinement = own.complete ? 0 : sampler.refinement_of(largest_contrast(looks, own));
+      more.neighbors = refinement != 0;
     }
-    if (sampler.plan().middles && mark == 0) {
-      return std::move(drawn.take_middles(sampler, only).front());
+    if (sampler.plan().centers_first && refinement == 0) {
+      return std::move(pixel_sampler.take_center_samples(sampler, only).front());
     }
-    DrawnPixel pixel = std::move(drawn.take(sampler, only, {&mark, 1}).front());
-    const bool by_itself = sampler.plan().middles || mark == 0;
+    SampledPixel pixel = std::move(pixel_sampler.take(sampler, only, {&refinement, 1}).front());
+    const bool by_itself = sampler.plan().centers_first || refinement == 0;
     more.noisy = by_itself && pixel.samples.count > sampler.next_count(0);
     more.penumbra = more.noisy && pixel.samples.penumbra;
     return pixel;
   }
 
-  std::vector<SampleRecord> records_of(const std::vector<SurfaceSample>& samples) const {
+  std::vector<SampleRecord> records_of(const std::vector<AovSample>& samples) const {
     std::vector<SampleRecord> records;
-    for (const SurfaceSample& sample : samples) {
+    for (const AovSample& sample : samples) {
       SampleRecord& record = records.emplace_back();
       record.point = sample.camera.point;
       record.lens = sample.camera.lens;
@@ -141,8 +142,8 @@ struct Explainer::Impl {
   }
 
   std::vector<RayRecord> rays_of(const CameraSample& sample) {
-    WavePointer memory = pool.take();
-    std::vector<RayRecord> rays = trace_recorded(waves, sample, *memory);
+    WavefrontPointer memory = pool.take();
+    std::vector<RayRecord> rays = trace_recorded(wavefronts, sample, *memory);
     pool.give(std::move(memory));
     return rays;
   }
@@ -150,9 +151,9 @@ struct Explainer::Impl {
   ThreadLimit limit;
   Tracer tracer;
   CameraRays camera;
-  WaveScene waves;
-  FineSampler sampler;
-  WavePool pool;
+  WavefrontScene wavefronts;
+  AdaptiveSampler sampler;
+  WavefrontPool pool;
 };
 
 Explainer::Explainer(const RenderScene& scene, const Assets& assets, const RenderOptions& options)
@@ -170,12 +171,12 @@ PixelRecord Explainer::explain(int x, int y, std::optional<std::uint32_t> sample
   pixel.x = x;
   pixel.y = y;
   pixel.options = impl_->tracer.options;
-  const DrawnPixel drawn = impl_->draw({x, y}, pixel.more);
+  const SampledPixel drawn = impl_->draw({x, y}, pixel.more);
   pixel.color = impl_->tracer.course() ? drawn.color : drawn.samples.mean();
-  const std::vector<SurfaceSample>& taken = drawn.surfaces.samples;
+  const std::vector<AovSample>& taken = drawn.surfaces.samples;
   pixel.samples = impl_->records_of(taken);
   pixel.shown =
-      sample.value_or(no_index) < taken.size() ? *sample : nearest_to_middle(pixel.samples, x, y);
+      sample.value_or(no_index) < taken.size() ? *sample : nearest_to_center(pixel.samples, x, y);
   pixel.rays = impl_->rays_of(taken[pixel.shown].camera);
   for (int c = 0; c < 3; ++c) {
     pixel.picture[c] = static_cast<float>(pixel.color[c]);

@@ -116,7 +116,7 @@ struct WallRecord {
 enum class RayKind : std::uint8_t { camera, reflected, refracted };
 
 /// What happened to reflected or refracted light.
-enum class Fate : std::uint8_t {
+enum class BranchOutcome : std::uint8_t {
   absent,     ///< not reflective or transparent, or the feature is off
   followed,   ///< by the ray `ray`
   too_deep,   ///< max_depth is reached
@@ -125,7 +125,7 @@ enum class Fate : std::uint8_t {
 };
 
 struct BranchRecord {
-  Fate fate = Fate::absent;
+  BranchOutcome outcome = BranchOutcome::absent;
   Color factor{0};        ///< ks * Cr or kt * Ct; with `fresnel` multiplied by the Fresnel term
   std::uint32_t ray = 0;  ///< if followed: index of its record
 };

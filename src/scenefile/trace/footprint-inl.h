@@ -8,12 +8,12 @@
 
 namespace scenefile::SCENEFILE_LANES {
 
-/// Derivatives for one step to the right and one step down in the picture.
-struct Steps {
-  V3 x, y;
+/// Derivatives by x and y of the picture: for one step to the right and one step down.
+struct Derivatives {
+  V3 dx, dy;
 };
 
-inline Steps no_steps() {
+inline Derivatives no_derivatives() {
   const V3 none{splat(0), splat(0), splat(0)};
   return {none, none};
 }
@@ -22,7 +22,8 @@ inline Steps no_steps() {
 inline constexpr double min_cosine = 1.0 / 64;
 
 /// The derivatives of the unit direction of a camera ray; a step is `width` pixels.
-inline Steps camera_steps(const CameraFrame& camera, F x, F y, F lens_x, F lens_y, F width) {
+inline Derivatives camera_derivatives(const CameraFrame& camera, F x, F y, F lens_x, F lens_y,
+                                      F width) {
   V3 forward = pinhole_forward(camera, x, y);
   F step = width * splat(camera.pixel);
   if (camera.has_lens()) {
@@ -39,19 +40,19 @@ inline Steps camera_steps(const CameraFrame& camera, F x, F y, F lens_x, F lens_
 }
 
 /// The derivatives of the point where a ray hits a surface with this normal, at distance t.
-inline Steps arriving_steps(const Steps& origin, const Steps& direction, const V3& ray,
-                            const V3& normal, F t) {
+inline Derivatives hit_derivatives(const Derivatives& origin, const Derivatives& direction,
+                                   const V3& ray, const V3& normal, F t) {
   const F cosine = dot(ray, normal);
   const F slant = copysign(max(abs(cosine), splat(min_cosine)), cosine);
-  const auto on_surface = [&](const V3& from, const V3& turn) {
-    const V3 moved = from + t * turn;
+  const auto on_surface = [&](const V3& d_origin, const V3& d_direction) {
+    const V3 moved = d_origin + t * d_direction;
     return moved - (dot(moved, normal) / slant) * ray;
   };
-  return {on_surface(origin.x, direction.x), on_surface(origin.y, direction.y)};
+  return {on_surface(origin.dx, direction.dx), on_surface(origin.dy, direction.dy)};
 }
 
 /// The derivative of a shape's object-space normal for a step on its surface at p.
-inline V3 object_normal_turn(F shape, F face, const V3& p, const V3& step) {
+inline V3 object_normal_derivative(F shape, F face, const V3& p, const V3& step) {
   const V3 still{splat(0), splat(0), splat(0)};
   const M round =
       face_is(face, Face::side) & (shape_is(shape, Shape::sphere) |
@@ -67,46 +68,46 @@ inline V3 object_normal_turn(F shape, F face, const V3& p, const V3& step) {
   const V3 tube = across({around.cosine, splat(0), around.sine}, flat_step) / around.distance;
   const V3 cone = splat(2 / 2.2360679774997896964) * tube;
   const M beside = round & (around.distance > splat(0));
-  V3 turn = select(beside & shape_is(shape, Shape::cylinder), tube, still);
-  turn = select(beside & shape_is(shape, Shape::cone), cone, turn);
-  return select(round & shape_is(shape, Shape::sphere) & (size > splat(0)), ball, turn);
+  V3 dn = select(beside & shape_is(shape, Shape::cylinder), tube, still);
+  dn = select(beside & shape_is(shape, Shape::cone), cone, dn);
+  return select(round & shape_is(shape, Shape::sphere) & (size > splat(0)), ball, dn);
 }
 
 /// The derivative of a shape's unit normal in world space for a step on its surface. `x`, `y`, `z`:
 /// columns of the linear map from world to object space; `normal`: in object space.
-inline V3 world_normal_turn(const V3& x, const V3& y, const V3& z, F shape, F face, const V3& p,
-                            const V3& normal, const V3& step) {
+inline V3 world_normal_derivative(const V3& x, const V3& y, const V3& z, F shape, F face,
+                                  const V3& p, const V3& normal, const V3& step) {
   const V3 object_step{x.x * step.x + y.x * step.y + z.x * step.z,
                        x.y * step.x + y.y * step.y + z.y * step.z,
                        x.z * step.x + y.z * step.y + z.z * step.z};
-  const V3 object_turn = object_normal_turn(shape, face, p, object_step);
+  const V3 object_dn = object_normal_derivative(shape, face, p, object_step);
   const V3 scaled{dot(x, normal), dot(y, normal), dot(z, normal)};
-  const V3 turn{dot(x, object_turn), dot(y, object_turn), dot(z, object_turn)};
+  const V3 dn{dot(x, object_dn), dot(y, object_dn), dot(z, object_dn)};
   const F size = length(scaled);
   const V3 unit = scaled / size;
   const M known = (size > splat(0)) & finite(size);
-  return select(known, (turn - dot(unit, turn) * unit) / size, V3{splat(0), splat(0), splat(0)});
+  return select(known, (dn - dot(unit, dn) * unit) / size, V3{splat(0), splat(0), splat(0)});
 }
 
 /// Derivatives of the normal `geometric`, flipped if `wanted` points to its other side.
-inline Steps on_side(const Steps& turn, const V3& geometric, const V3& wanted) {
+inline Derivatives on_side(const Derivatives& dn, const V3& geometric, const V3& wanted) {
   const M other = dot(geometric, wanted) < splat(0);
-  return {select(other, -turn.x, turn.x), select(other, -turn.y, turn.y)};
+  return {select(other, -dn.dx, dn.dx), select(other, -dn.dy, dn.dy)};
 }
 
-/// The derivatives of a reflected direction. `turn`: of the normal.
-inline Steps mirrored_steps(const V3& ray, const V3& normal, const Steps& direction,
-                            const Steps& turn) {
+/// The derivatives of a reflected direction. `dn`: of the normal.
+inline Derivatives mirrored_derivatives(const V3& ray, const V3& normal,
+                                        const Derivatives& direction, const Derivatives& dn) {
   const F cosine = dot(ray, normal);
   const auto mirrored = [&](const V3& d, const V3& n) {
     return d - splat(2) * (cosine * n + (dot(d, normal) + dot(ray, n)) * normal);
   };
-  return {mirrored(direction.x, turn.x), mirrored(direction.y, turn.y)};
+  return {mirrored(direction.dx, dn.dx), mirrored(direction.dy, dn.dy)};
 }
 
 /// The derivatives of a refracted direction; see refraction().
-inline Steps refracted_steps(const V3& ray, const V3& normal, F eta, const Steps& direction,
-                             const Steps& turn) {
+inline Derivatives refracted_derivatives(const V3& ray, const V3& normal, F eta,
+                                         const Derivatives& direction, const Derivatives& dn) {
   const F cosine = -dot(ray, normal);
   const F squared = splat(1) - eta * eta * (splat(1) - cosine * cosine);
   const F out = sqrt(max(squared, splat(min_cosine * min_cosine)));
@@ -116,16 +117,16 @@ inline Steps refracted_steps(const V3& ray, const V3& normal, F eta, const Steps
     const F change = -(dot(d, normal) + dot(ray, n));
     return eta * d + along * n + (rate * change) * normal;
   };
-  return {refracted(direction.x, turn.x), refracted(direction.y, turn.y)};
+  return {refracted(direction.dx, dn.dx), refracted(direction.dy, dn.dy)};
 }
 
-/// A change of (u, v).
-struct UvStep {
+/// A derivative of (u, v).
+struct UvDerivative {
   F u, v;
 };
 
-/// For a step on the surface of a shape at p, all in object space. At a pole, where all u meet, 1.
-inline UvStep shape_uv_step(F shape, F face, const V3& p, const V3& step) {
+/// Of a shape at p for a step on its surface, all in object space. At a pole, where all u meet, 1.
+inline UvDerivative shape_uv_derivative(F shape, F face, const V3& p, const V3& step) {
   const auto is = [&](Face f) { return face_is(face, f); };
   const M on_side = is(Face::pos_x) | is(Face::neg_x) | is(Face::pos_z) | is(Face::neg_z);
   const M below = is(Face::bottom) | is(Face::neg_y);
@@ -150,7 +151,7 @@ inline UvStep shape_uv_step(F shape, F face, const V3& p, const V3& step) {
 }
 
 /// The same on a triangle with these tangents; 1 across the whole texture where they are unknown.
-inline UvStep mesh_uv_step(const V3& tangent_u, const V3& tangent_v, const V3& step) {
+inline UvDerivative mesh_uv_derivative(const V3& tangent_u, const V3& tangent_v, const V3& step) {
   const V3 area = cross(tangent_u, tangent_v);
   const F squared = dot(area, area);
   const M known = squared > splat(1e-30) * dot(tangent_u, tangent_u) * dot(tangent_v, tangent_v);
@@ -172,8 +173,8 @@ inline F texel_y(F v, F repeat, F height) {
   return (splat(1) - v) * repeat * height;
 }
 
-inline TexelFootprint texel_footprint(const UvStep& right, const UvStep& down, F repeat_u,
-                                      F repeat_v, F width, F height) {
+inline TexelFootprint texel_footprint(const UvDerivative& right, const UvDerivative& down,
+                                      F repeat_u, F repeat_v, F width, F height) {
   const F across = repeat_u * width;
   const F along = -(repeat_v * height);
   return {right.u * across, right.v * along, down.u * across, down.v * along};
@@ -267,8 +268,8 @@ inline constexpr double bump_height = 1.0 / 16;
 /// of the map, or over the footprint if that is wider. `color(u, v, wanted)` looks up the map;
 /// `wanted` loses the lanes where it has no effect.
 template <typename Lookup>
-V3 bumped_normal(const SurfaceLanes& surface, const UvStep& right, const UvStep& down, F columns,
-                 F rows, M& wanted, const Lookup& color) {
+V3 bumped_normal(const SurfaceLanes& surface, const UvDerivative& right, const UvDerivative& down,
+                 F columns, F rows, M& wanted, const Lookup& color) {
   const V3& n = surface.normal;
   const V3& tangent_u = surface.tangent_u;
   const V3& tangent_v = surface.tangent_v;

@@ -19,24 +19,24 @@ double number_of(Face face) {
   return static_cast<int>(face);
 }
 
-glm::dvec2 uv_step(const SurfacePoint& point, const glm::dvec3& world_step) {
+glm::dvec2 uv_derivative(const SurfacePoint& point, const glm::dvec3& world_step) {
   const glm::dvec3 step = point.hit.object_from_world.linear * world_step;
-  const one::UvStep uv =
+  const one::UvDerivative uv =
       point.hit.shape == Shape::mesh
-          ? one::mesh_uv_step(splat3(point.object.tangent_u), splat3(point.object.tangent_v),
-                              splat3(step))
-          : one::shape_uv_step(number_of(point.hit.shape), number_of(point.hit.face),
-                               splat3(point.hit.object_point), splat3(step));
+          ? one::mesh_uv_derivative(splat3(point.object.tangent_u), splat3(point.object.tangent_v),
+                                    splat3(step))
+          : one::shape_uv_derivative(number_of(point.hit.shape), number_of(point.hit.face),
+                                     splat3(point.hit.object_point), splat3(step));
   return {uv.u, uv.v};
 }
 
 }  // namespace
 
-UvFootprint uv_footprint(const SurfacePoint& point, const PixelSteps& steps) {
+UvFootprint uv_footprint(const SurfacePoint& point, const PixelDerivatives& dp) {
   if (!point.has_uv) {
     return {};
   }
-  return {uv_step(point, steps.x), uv_step(point, steps.y)};
+  return {uv_derivative(point, dp.dx), uv_derivative(point, dp.dy)};
 }
 
 }  // namespace scenefile

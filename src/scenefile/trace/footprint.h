@@ -8,19 +8,19 @@
 
 namespace scenefile {
 
-/// Derivatives for one step to the right and one step down in the picture; world units.
-struct PixelSteps {
-  glm::dvec3 x{0};
-  glm::dvec3 y{0};
+/// Derivatives by x and y of the picture, for one step to the right and one step down; world units.
+struct PixelDerivatives {
+  glm::dvec3 dx{0};
+  glm::dvec3 dy{0};
 };
 
 /// The differential of a ray.
 struct RayDifferential {
-  PixelSteps origin;
-  PixelSteps direction;
+  PixelDerivatives origin;
+  PixelDerivatives direction;
 };
 
-/// The footprint in (u, v) around the point for these steps.
-UvFootprint uv_footprint(const SurfacePoint& point, const PixelSteps& steps);
+/// The footprint in (u, v) around the point with these derivatives.
+UvFootprint uv_footprint(const SurfacePoint& point, const PixelDerivatives& dp);
 
 }  // namespace scenefile

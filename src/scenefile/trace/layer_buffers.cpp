@@ -30,11 +30,11 @@ struct Means {
   double shadow() const { return unshadowed > 0 ? std::max(0.0, 1 - lit / unshadowed) : 0; }
 };
 
-Means means_of(const PixelSurfaces& pixel, const std::vector<double>& weights, std::size_t lights) {
+Means means_of(const PixelAovs& pixel, const std::vector<double>& weights, std::size_t lights) {
   Means means;
   means.lights.resize(lights, Color(0));
   for (std::size_t i = 0; i < weights.size(); ++i) {
-    const SurfaceSample& s = pixel.samples[i];
+    const AovSample& s = pixel.samples[i];
     means.normal += weights[i] * s.normal;
     means.albedo += weights[i] * s.albedo;
     means.lit += weights[i] * sum(s.lit);
@@ -90,8 +90,8 @@ std::vector<ImageLayer> make_layers(const RenderOptions& options, const PixelReg
   return layers;
 }
 
-LayerBuffers::LayerBuffers(const Tracer& tracer, const CameraRays& camera, PictureState& picture)
-    : tracer_(tracer), camera_(camera), region_(picture.region), layers_(picture.layers) {
+LayerBuffers::LayerBuffers(const Tracer& tracer, const CameraRays& camera, Film& film)
+    : tracer_(tracer), camera_(camera), region_(film.region), layers_(film.layers) {
   for (const Layer& wanted : tracer.options.layers) {
     if (wanted.kind == LayerKind::light) {
       lights_.push_back(wanted.light);
@@ -105,12 +105,12 @@ bool LayerBuffers::need_centers() const {
                      [](const Layer& layer) { return is_of_center(layer.kind); });
 }
 
-void LayerBuffers::put(int x, int y, const PixelSurfaces& pixel) {
+void LayerBuffers::put(int x, int y, const PixelAovs& pixel) {
   put_center(index(x, y), pixel.center);
   put_means(index(x, y), pixel);
 }
 
-void LayerBuffers::put_center(std::size_t pixel, const SurfacePlace& center) {
+void LayerBuffers::put_center(std::size_t pixel, const AovHit& center) {
   const RenderCamera& camera = tracer_.scene.camera;
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     const LayerKind kind = tracer_.options.layers[i].kind;
@@ -126,7 +126,7 @@ void LayerBuffers::put_center(std::size_t pixel, const SurfacePlace& center) {
   }
 }
 
-void LayerBuffers::put_means(std::size_t pixel, const PixelSurfaces& surfaces) {
+void LayerBuffers::put_means(std::size_t pixel, const PixelAovs& surfaces) {
   const Means means = means_of(surfaces, weights_of(surfaces.samples), lights_.size());
   std::size_t light = 0;
   for (std::size_t i = 0; i < layers_.size(); ++i) {
@@ -139,13 +139,13 @@ void LayerBuffers::put_means(std::size_t pixel, const PixelSurfaces& surfaces) {
 }
 
 // The weights that the samples have in the color of the pixel.
-std::vector<double> LayerBuffers::weights_of(const std::vector<SurfaceSample>& samples) const {
+std::vector<double> LayerBuffers::weights_of(const std::vector<AovSample>& samples) const {
   std::vector<double> weights(samples.size(), 1.0 / static_cast<double>(samples.size()));
   if (!tracer_.course() || camera_.has_lens() || samples.size() == 1) {
     return weights;
   }
   std::vector<glm::dvec2> points;
-  for (const SurfaceSample& sample : samples) {
+  for (const AovSample& sample : samples) {
     points.push_back(sample.camera.point);
   }
   const std::vector<std::uint32_t> links = course::refined_samples(points);

@@ -1,9 +1,9 @@
 #pragma once
 // Fills the layers of a picture.
 
+#include "scenefile/trace/aov_sample.h"
 #include "scenefile/trace/camera_rays.h"
-#include "scenefile/trace/picture_state.h"
-#include "scenefile/trace/surface_sample.h"
+#include "scenefile/trace/film.h"
 #include "scenefile/trace/tracer.h"
 
 namespace scenefile {
@@ -13,25 +13,25 @@ std::vector<ImageLayer> make_layers(const RenderOptions& options, const PixelReg
 
 class LayerBuffers {
  public:
-  /// For the layers of tracer.options, stored in the state.
-  LayerBuffers(const Tracer& tracer, const CameraRays& camera, PictureState& picture);
+  /// For the layers of tracer.options, stored in the film.
+  LayerBuffers(const Tracer& tracer, const CameraRays& camera, Film& film);
 
   bool empty() const { return layers_.empty(); }
-  /// Whether some layers show the surface at the center of each pixel (PixelSurfaces::center).
+  /// Whether some layers show the surface at the center of each pixel (PixelAovs::center).
   bool need_centers() const;
   /// The lights that have layers, and are recorded separately.
   const std::vector<std::uint32_t>& lights() const { return lights_; }
 
   /// Sets the pixel (x, y) of the picture. Thread-safe for different pixels.
-  void put(int x, int y, const PixelSurfaces& pixel);
+  void put(int x, int y, const PixelAovs& pixel);
 
  private:
   std::size_t index(int x, int y) const {
     return std::size_t(y - region_.y0) * region_.width() + (x - region_.x0);
   }
-  void put_center(std::size_t pixel, const SurfacePlace& center);
-  void put_means(std::size_t pixel, const PixelSurfaces& surfaces);
-  std::vector<double> weights_of(const std::vector<SurfaceSample>& samples) const;
+  void put_center(std::size_t pixel, const AovHit& center);
+  void put_means(std::size_t pixel, const PixelAovs& surfaces);
+  std::vector<double> weights_of(const std::vector<AovSample>& samples) const;
 
   const Tracer& tracer_;
   const CameraRays& camera_;

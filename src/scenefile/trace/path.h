@@ -16,7 +16,7 @@ inline constexpr std::uint32_t rays_of_a_sample = 4096;
 
 /// The transparent object that a ray is inside of, and those around it.
 struct Inside {
-  const Hit* object = nullptr;
+  const Hit* hit = nullptr;
   const Inside* around = nullptr;
 };
 

@@ -1,7 +1,7 @@
 #include "scenefile/trace/preview_picture.h"
 
+#include "scenefile/trace/pixel_sampler.h"
 #include "scenefile/trace/tiles.h"
-#include "scenefile/trace/wave_pixels.h"
 
 #include <algorithm>
 #include <array>
@@ -17,20 +17,20 @@ constexpr int block = 8;
 
 }  // namespace
 
-PreviewPicture::PreviewPicture(const Preview& preview, const PictureState& picture)
-    : preview_(preview), picture_(picture) {
+PreviewPicture::PreviewPicture(const Preview& preview, const Film& film)
+    : preview_(preview), film_(film) {
   if (wanted()) {
-    shown_ = Image(picture.region.width(), picture.region.height());
+    shown_ = Image(film.region.width(), film.region.height());
   }
 }
 
 void PreviewPicture::start(const Tracer& tracer) {
   const CameraRays camera = tracer.camera();
-  const WaveScene scene(tracer, camera);
-  WavePool pool;
+  const WavefrontScene scene(tracer, camera);
+  WavefrontPool pool;
   for_each_line((shown_.height + block - 1) / block, [&](int row) {
-    WavePointer memory = pool.take();
-    for (int x = 0; x < shown_.width; x += block * wave_samples) {
+    WavefrontPointer memory = pool.take();
+    for (int x = 0; x < shown_.width; x += block * wavefront_samples) {
       start_blocks(scene, x, row * block, *memory);
     }
     pool.give(std::move(memory));
@@ -38,19 +38,20 @@ void PreviewPicture::start(const Tracer& tracer) {
   show();
 }
 
-// The blocks of a line from x0 on, as many as a wave has samples.
-void PreviewPicture::start_blocks(const WaveScene& scene, int x0, int y0, WaveMemory& memory) {
-  std::array<CameraSample, wave_samples> samples;
-  std::array<WaveSight, wave_samples> sights;
-  const int count = std::min(wave_samples, (shown_.width - x0 + block - 1) / block);
+// The blocks of a line from x0 on, as many as a wavefront has samples.
+void PreviewPicture::start_blocks(const WavefrontScene& scene, int x0, int y0,
+                                  WavefrontMemory& memory) {
+  std::array<CameraSample, wavefront_samples> samples;
+  std::array<SampleResult, wavefront_samples> results;
+  const int count = std::min(wavefront_samples, (shown_.width - x0 + block - 1) / block);
   for (int i = 0; i < count; ++i) {
-    const glm::dvec2 corner(picture_.region.x0 + x0 + i * block, picture_.region.y0 + y0);
+    const glm::dvec2 corner(film_.region.x0 + x0 + i * block, film_.region.y0 + y0);
     samples[static_cast<std::size_t>(i)] = {corner + block / 2.0, {}, block, {}};
   }
   RayCounts counts;
-  trace_wave(scene, samples.data(), count, memory, sights.data(), counts);
+  trace_wavefront(scene, samples.data(), count, memory, results.data(), counts);
   for (int i = 0; i < count; ++i) {
-    fill(x0 + i * block, y0, sights[static_cast<std::size_t>(i)].color);
+    fill(x0 + i * block, y0, results[static_cast<std::size_t>(i)].color);
   }
 }
 
@@ -73,7 +74,7 @@ void PreviewPicture::fill(int x0, int y0, const Color& color) {
 }
 
 void PreviewPicture::show() {
-  preview_.show(cut(shown_, picture_.region, picture_.crop));
+  preview_.show(cut(shown_, film_.region, film_.crop));
   last_ = Clock::now();
 }
 

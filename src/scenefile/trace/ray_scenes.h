@@ -1,9 +1,9 @@
 #pragma once
-// Acceleration structures for parts and triangles: Embree's (embree_scenes.cpp) or our own
-// (box_scenes.cpp), depending on the build. Both give the same hits.
+// Acceleration structures for objects and triangles: Embree's (embree_scenes.cpp) or our own
+// (bvh_scenes.cpp), depending on the build. Both give the same hits.
 //
-// Each kept group is a scene whose primitives are its parts: analytic shapes, meshes, and instances
-// of other groups. Each mesh is a scene too. They only find candidates; search.h decides.
+// Each kept group is a scene whose primitives are its objects: analytic shapes, meshes, and
+// instances of other groups. Each mesh is a scene too. They only find candidates; search.h decides.
 
 #include "scenefile/trace/search.h"
 
@@ -22,7 +22,7 @@ class RayScenes {
   /// Whether nothing has failed so far. After a failure, no more scenes are built: if memory runs
   /// out inside a build, Embree's next build in the same thread may hang.
   bool good() const;
-  /// Builds the scene of a group from its parts and boxes. `group` must not move afterwards.
+  /// Builds the scene of a group from its objects and boxes. `group` must not move afterwards.
   void add(Group& group);
   /// Builds the scene of a mesh: all its triangles, or those listed.
   void add(MeshScene& mesh);
@@ -35,10 +35,10 @@ class RayScenes {
 /// The version of the loaded library, such as "4.3.3"; empty if unknown, "none" without Embree.
 std::string embree_version();
 
-/// Tests the parts that the ray may hit; ray and parts are in the space of the group.
+/// Tests the objects that the ray may hit; ray and objects are in the space of the group.
 void search_group_scene(Query& q, const Group& group, const Ray& ray);
 
-/// Tests the triangles of a mesh part. For shadow rays: whether any is hit.
-bool mesh_scene_crossed(Query& q, const Part& part, const Ray& ray);
+/// Tests the triangles of a mesh object. For shadow rays: whether any is hit.
+bool mesh_scene_crossed(Query& q, const Object& object, const Ray& ray);
 
 }  // namespace scenefile

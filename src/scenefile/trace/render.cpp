@@ -1,6 +1,6 @@
 #include "scenefile/trace/render.h"
 
-#include "scenefile/trace/picture_state.h"
+#include "scenefile/trace/film.h"
 #include "scenefile/trace/preview_picture.h"
 #include "scenefile/trace/render_pass.h"
 #include "scenefile/trace/tiles.h"
@@ -19,16 +19,16 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-void put_picture(PictureState state, RenderResult& result) {
-  Resolved resolved = resolve(std::move(state));
+void put_picture(Film film, RenderResult& result) {
+  Resolved resolved = resolve(std::move(film));
   result.image = std::move(resolved.image);
   result.layers = std::move(resolved.layers);
 }
 
 // Draws all passes, with callbacks.
-void render_passes(const Tracer& tracer, const RenderControl& control, PictureState& state,
+void render_passes(const Tracer& tracer, const RenderControl& control, Film& film,
                    RenderResult& result) {
-  PreviewPicture shown(control.preview, state);
+  PreviewPicture shown(control.preview, film);
   const Progress showing = [&](double done) {
     shown.show_in_time();
     return !control.progress || control.progress(done);
@@ -36,9 +36,9 @@ void render_passes(const Tracer& tracer, const RenderControl& control, PictureSt
   if (shown.wanted()) {
     shown.start(tracer);
   }
-  while (!complete(state) && result.status == RenderStatus::complete) {
+  while (!complete(film) && result.status == RenderStatus::complete) {
     result.status =
-        render_pass(tracer, state, shown.wanted() ? showing : control.progress, &result.stats);
+        render_pass(tracer, film, shown.wanted() ? showing : control.progress, &result.stats);
     if (shown.wanted()) {
       shown.update();
     }
@@ -59,11 +59,11 @@ RenderResult render(const RenderScene& scene, const Assets& assets, const Render
   result.stats.build_seconds = traced.build_seconds();
   result.status = traced.status();
   const Clock::time_point start = Clock::now();
-  PictureState state = make_state(scene, options, std::move(control.canvas));
+  Film film = make_film(scene, options, std::move(control.canvas));
   if (result.status == RenderStatus::complete) {
-    render_passes(Tracer(traced, scene, options), control, state, result);
+    render_passes(Tracer(traced, scene, options), control, film, result);
   }
-  put_picture(std::move(state), result);
+  put_picture(std::move(film), result);
   if (control.preview.show) {
     control.preview.show(result.image);
   }

@@ -64,7 +64,7 @@ struct RenderControl {
 
 /// Renders the scene. The picture only depends on scene, assets and options: the result is the same
 /// for any number of threads. `assets` must be those of this scene. For more control over the
-/// process, see picture_state.h.
+/// process, see film.h.
 RenderResult render(const RenderScene& scene, const Assets& assets, const RenderOptions& options,
                     RenderControl control = {});
 

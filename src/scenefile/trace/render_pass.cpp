@@ -2,8 +2,8 @@
 
 #include "scenefile/trace/edges.h"
 #include "scenefile/trace/layer_buffers.h"
+#include "scenefile/trace/pixel_sampler.h"
 #include "scenefile/trace/tiles.h"
-#include "scenefile/trace/wave_pixels.h"
 
 #include <algorithm>
 #include <atomic>
@@ -47,15 +47,15 @@ void for_each_in_blocks(const Tile& tile, const F& f) {
 // Draws one pass. Coordinates are relative to the whole picture.
 class Renderer {
  public:
-  Renderer(const Tracer& tracer, const Progress& progress, PictureState& picture)
+  Renderer(const Tracer& tracer, const Progress& progress, Film& film)
       : tracer_(tracer),
         camera_(tracer.camera()),
-        region_(picture.region),
-        watch_(progress),
-        picture_(picture),
-        layers_(tracer, camera_, picture),
-        wish_{!layers_.empty() || !picture.statistics.empty(), layers_.lights(),
-              layers_.need_centers()} {}
+        region_(film.region),
+        monitor_(progress),
+        film_(film),
+        layers_(tracer, camera_, film),
+        request_{!layers_.empty() || !film.statistics.empty(), layers_.lights(),
+                 layers_.need_centers()} {}
 
   void run() {
     if (tracer_.course()) {
@@ -69,7 +69,7 @@ class Renderer {
     if (tracer_.accelerator.overwhelmed()) {
       return RenderStatus::limit_reached;
     }
-    return watch_.stopped() ? RenderStatus::cancelled : RenderStatus::complete;
+    return monitor_.stopped() ? RenderStatus::cancelled : RenderStatus::complete;
   }
 
   void add_rays(RenderStats& stats) const {
@@ -79,12 +79,12 @@ class Renderer {
   }
 
  private:
-  bool given_up() const { return watch_.stopped() || tracer_.accelerator.overwhelmed(); }
+  bool given_up() const { return monitor_.stopped() || tracer_.accelerator.overwhelmed(); }
 
-  // Calls draw(pixels, counts) for each piece.
+  // Calls draw(pixels, counts) for each tile.
   template <typename F>
   void for_each_tile(PassShare share, const F& draw) {
-    for_each_piece(picture_.pieces, share, watch_, [&](const Tile& tile) {
+    for_each_unfinished_tile(film_.tiles, share, monitor_, [&](const Tile& tile) {
       RayCounts counts;
       std::vector<glm::ivec2> pixels;
       pixels.reserve(std::size_t{tile_side} * tile_side);
@@ -96,25 +96,25 @@ class Renderer {
     });
   }
 
-  // Calls draw(sampler, pixels) for each piece, with a sampler for each thread.
+  // Calls draw(sampler, pixels) for each tile, with a sampler for each thread.
   template <typename F>
   void for_each_sampler(PassShare share, const F& draw) {
-    const WaveScene scene(tracer_, camera_);
-    WavePool pool;
+    const WavefrontScene scene(tracer_, camera_);
+    WavefrontPool pool;
     for_each_tile(share, [&](std::vector<glm::ivec2>& pixels, RayCounts& counts) {
-      WaveSampler waves(scene, pool, wish_, counts);
-      draw(waves, pixels);
+      PixelSampler sampler(scene, pool, request_, counts);
+      draw(sampler, pixels);
     });
   }
 
   void run_course() {
     const bool one_sample = !camera_.has_lens() && !tracer_.options.features.super_sample;
-    for_each_sampler({0, 1}, [&](WaveSampler& sampler, const std::vector<glm::ivec2>& pixels) {
-      if (one_sample && !wish_.wanted) {
-        put_sights(pixels, sampler.middles(pixels));
+    for_each_sampler({0, 1}, [&](PixelSampler& sampler, const std::vector<glm::ivec2>& pixels) {
+      if (one_sample && !request_.wanted) {
+        put_results(pixels, sampler.center_samples(pixels));
         return;
       }
-      for (const DrawnPixel& pixel : sampler.course(pixels)) {
+      for (const SampledPixel& pixel : sampler.course(pixels)) {
         put(pixel.at, pixel.color);
         keep(pixel);
       }
@@ -122,110 +122,113 @@ class Renderer {
   }
 
   void run_fine() {
-    const FineSampler sampler(tracer_, camera_);
+    const AdaptiveSampler sampler(tracer_, camera_);
     const SamplePlan& plan = sampler.plan();
-    const double first_share = !plan.two_passes ? 1.0 : plan.middles ? 0.4 : 0.9;
-    if (picture_.pass == 0 && !picture_.pieces.all_done()) {
-      plan.middles ? take_middles(sampler, first_share) : take_all(sampler, first_share);
+    const double first_share = !plan.two_passes ? 1.0 : plan.centers_first ? 0.4 : 0.9;
+    if (film_.pass == 0 && !film_.tiles.all_done()) {
+      plan.centers_first ? take_center_samples(sampler, first_share)
+                         : take_all(sampler, first_share);
       return;
     }
-    if (picture_.pass == 0) {
-      mark_uneven(sampler);
-      picture_.pass = 1;
-      picture_.pieces.restart();
+    if (film_.pass == 0) {
+      find_refinement(sampler);
+      film_.pass = 1;
+      film_.tiles.restart();
     }
-    watch_.count(first_share);
-    take_marked(sampler, first_share);
+    monitor_.count(first_share);
+    refine(sampler, first_share);
   }
 
-  void take_middles(const FineSampler& fine, double share) {
-    for_each_sampler({0, share}, [&](WaveSampler& sampler, const std::vector<glm::ivec2>& pixels) {
-      if (!wish_.wanted) {
-        put_sights(pixels, sampler.middles(fine, pixels));
+  void take_center_samples(const AdaptiveSampler& fine, double share) {
+    for_each_sampler({0, share}, [&](PixelSampler& sampler, const std::vector<glm::ivec2>& pixels) {
+      if (!request_.wanted) {
+        put_results(pixels, sampler.center_samples(fine, pixels));
         return;
       }
-      for (const DrawnPixel& pixel : sampler.take_middles(fine, pixels)) {
+      for (const SampledPixel& pixel : sampler.take_center_samples(fine, pixels)) {
         put(pixel.at, pixel.samples.mean());
         keep(pixel);
-        mark(pixel.at, pixel.signature);
+        put_refinement(pixel.at, pixel.surface_hash);
       }
     });
   }
 
-  void take_all(const FineSampler& fine, double share) {
-    for_each_sampler({0, share}, [&](WaveSampler& sampler, const std::vector<glm::ivec2>& pixels) {
-      const std::vector<std::uint16_t> marks(pixels.size());
-      const std::vector<DrawnPixel> taken = sampler.take(fine, pixels, marks);
+  void take_all(const AdaptiveSampler& fine, double share) {
+    for_each_sampler({0, share}, [&](PixelSampler& sampler, const std::vector<glm::ivec2>& pixels) {
+      const std::vector<std::uint16_t> refinements(pixels.size());
+      const std::vector<SampledPixel> taken = sampler.take(fine, pixels, refinements);
       put_pixels(taken);
-      for (const DrawnPixel& pixel : taken) {
-        mark(pixel.at, pixel.samples.count < fine.plan().most ? 1 : 0);
+      for (const SampledPixel& pixel : taken) {
+        put_refinement(pixel.at, pixel.samples.count < fine.plan().most ? 1 : 0);
       }
     });
   }
 
-  void take_marked(const FineSampler& fine, double from) {
-    for_each_sampler({from, 1}, [&](WaveSampler& sampler, std::vector<glm::ivec2>& pixels) {
-      std::erase_if(pixels, [&](const glm::ivec2& at) { return !marked(at); });
-      std::vector<std::uint16_t> marks;
+  void refine(const AdaptiveSampler& fine, double from) {
+    for_each_sampler({from, 1}, [&](PixelSampler& sampler, std::vector<glm::ivec2>& pixels) {
+      std::erase_if(pixels, [&](const glm::ivec2& at) { return !needs_refinement(at); });
+      std::vector<std::uint16_t> refinements;
       for (const glm::ivec2& at : pixels) {
-        marks.push_back(picture_.marked[index(at)]);
+        refinements.push_back(film_.refinement_map[index(at)]);
       }
-      put_pixels(sampler.take(fine, pixels, marks));
+      put_pixels(sampler.take(fine, pixels, refinements));
     });
   }
 
-  void put_pixels(const std::vector<DrawnPixel>& pixels) {
-    for (const DrawnPixel& pixel : pixels) {
+  void put_pixels(const std::vector<SampledPixel>& pixels) {
+    for (const SampledPixel& pixel : pixels) {
       put(pixel.at, pixel.samples.mean());
       keep(pixel);
     }
   }
 
   // The common case, with minimal work per pixel.
-  void put_sights(const std::vector<glm::ivec2>& pixels, std::span<const WaveSight> sights) {
+  void put_results(const std::vector<glm::ivec2>& pixels, std::span<const SampleResult> results) {
     for (std::size_t i = 0; i < pixels.size(); ++i) {
-      put(pixels[i], sights[i].color);
-      mark(pixels[i], sights[i].signature);
+      put(pixels[i], results[i].color);
+      put_refinement(pixels[i], results[i].surface_hash);
     }
   }
 
-  void mark(const glm::ivec2& at, std::uint32_t signature) {
-    if (!picture_.marked.empty()) {
-      picture_.marked[index(at)] = kept_signature(signature);
+  void put_refinement(const glm::ivec2& at, std::uint32_t surface_hash) {
+    if (!film_.refinement_map.empty()) {
+      film_.refinement_map[index(at)] = kept_hash(surface_hash);
     }
   }
 
   // Whether the pixel needs more samples.
-  bool marked(const glm::ivec2& at) const {
-    const PixelRegion& own = picture_.own;
+  bool needs_refinement(const glm::ivec2& at) const {
+    const PixelRegion& own = film_.own;
     return at.x >= own.x0 && at.x < own.x1 && at.y >= own.y0 && at.y < own.y1 &&
-           picture_.marked[index(at)] != 0;
+           film_.refinement_map[index(at)] != 0;
   }
 
-  // Converts the notes of the first pass to marks: how much each pixel must be refined.
-  void mark_uneven(const FineSampler& fine) {
-    const std::vector<std::uint16_t> noted = picture_.marked;
-    for_each_row_of_contrasts(picture_.image, noted, [&](int y, const RowOfContrasts& contrasts) {
-      std::uint16_t* const marks = &picture_.marked[std::size_t(y) * contrasts.most.size()];
+  // Replaces what the first pass stored in the refinement map by how much each pixel must be
+  // refined.
+  void find_refinement(const AdaptiveSampler& fine) {
+    const std::vector<std::uint16_t> stored = film_.refinement_map;
+    for_each_row_of_contrasts(film_.image, stored, [&](int y, const RowOfContrasts& contrasts) {
+      std::uint16_t* const refinements =
+          &film_.refinement_map[std::size_t(y) * contrasts.most.size()];
       for (std::size_t x = 0; x < contrasts.most.size(); ++x) {
-        const bool has_all = !fine.plan().middles && marks[x] == 0;
-        marks[x] = has_all ? 0 : fine.mark_of({contrasts.most[x], contrasts.edges[x]});
+        const bool has_all = !fine.plan().centers_first && refinements[x] == 0;
+        refinements[x] = has_all ? 0 : fine.refinement_of({contrasts.most[x], contrasts.edges[x]});
       }
     });
   }
 
   // Stores the recorded data of a pixel.
-  void keep(const DrawnPixel& pixel) {
+  void keep(const SampledPixel& pixel) {
     if (!layers_.empty()) {
       layers_.put(pixel.at.x, pixel.at.y, pixel.surfaces);
     }
-    if (!picture_.statistics.empty()) {
-      picture_.statistics[index(pixel.at)] = statistics_of(pixel.surfaces.samples, picture_.sharp);
+    if (!film_.statistics.empty()) {
+      film_.statistics[index(pixel.at)] = statistics_of(pixel.surfaces.samples, film_.sharp);
     }
   }
 
   void put(const glm::ivec2& at, const Color& color) {
-    float* const pixel = &picture_.image.rgb[3 * index(at)];
+    float* const pixel = &film_.image.rgb[3 * index(at)];
     for (int c = 0; c < 3; ++c) {
       pixel[c] = static_cast<float>(color[c]);
     }
@@ -238,21 +241,21 @@ class Renderer {
   const Tracer& tracer_;
   CameraRays camera_;
   PixelRegion region_;
-  Watch watch_;
-  PictureState& picture_;
+  ProgressMonitor monitor_;
+  Film& film_;
   LayerBuffers layers_;
-  SurfaceWish wish_;
+  AovRequest request_;
   SharedCounts counts_;
 };
 
 }  // namespace
 
-RenderStatus render_pass(const Tracer& tracer, PictureState& state, const Progress& progress,
+RenderStatus render_pass(const Tracer& tracer, Film& film, const Progress& progress,
                          RenderStats* stats) {
-  if (tracer.status() != RenderStatus::complete || complete(state)) {
+  if (tracer.status() != RenderStatus::complete || complete(film)) {
     return tracer.status();
   }
-  Renderer renderer(tracer, progress, state);
+  Renderer renderer(tracer, progress, film);
   renderer.run();
   if (stats != nullptr) {
     renderer.add_rays(*stats);
@@ -261,10 +264,10 @@ RenderStatus render_pass(const Tracer& tracer, PictureState& state, const Progre
 }
 
 RenderStatus render_pass(const TraceScene& traced, const RenderScene& scene,
-                         const RenderOptions& options, PictureState& state,
-                         const Progress& progress, RenderStats* stats) {
+                         const RenderOptions& options, Film& film, const Progress& progress,
+                         RenderStats* stats) {
   const ThreadLimit limit(options.threads);
-  return render_pass(Tracer(traced, scene, options), state, progress, stats);
+  return render_pass(Tracer(traced, scene, options), film, progress, stats);
 }
 
 }  // namespace scenefile

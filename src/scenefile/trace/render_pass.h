@@ -1,12 +1,12 @@
 #pragma once
 // Draws a pass, given the data shared by all passes of a picture. Internal to trace.
 
-#include "scenefile/trace/picture_state.h"
+#include "scenefile/trace/film.h"
 #include "scenefile/trace/tracer.h"
 
 namespace scenefile {
 
-RenderStatus render_pass(const Tracer& tracer, PictureState& state, const Progress& progress,
+RenderStatus render_pass(const Tracer& tracer, Film& film, const Progress& progress,
                          RenderStats* stats);
 
 }  // namespace scenefile

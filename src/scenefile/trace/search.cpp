@@ -10,40 +10,40 @@ namespace scenefile {
 namespace {
 
 // A shadow ray hit an object.
-void obstruct(Query& q, const Part& part) {
-  if (q.transmission == nullptr || Transmission::blocks(q.transmission->density(part.material))) {
+void obstruct(Query& q, const Object& object) {
+  if (q.transmission == nullptr || Transmission::blocks(q.transmission->density(object.material))) {
     q.blocked = true;
-    q.part = &part;
+    q.object = &object;
     return;
   }
-  q.density += q.transmission->density(part.material);
+  q.density += q.transmission->density(object.material);
   q.blocked = Transmission::blocks(q.density);
 }
 
-void search_mesh(Query& q, const Part& part, const Ray& ray) {
+void search_mesh(Query& q, const Object& object, const Ray& ray) {
   q.mesh_scale = q.mesh_distances ? glm::length(ray.direction) : 1;
-  if (mesh_scene_crossed(q, part, ray)) {
-    obstruct(q, part);
+  if (mesh_scene_crossed(q, object, ray)) {
+    obstruct(q, object);
   }
 }
 
-void test_shape(Query& q, const Part& part, const Ray& ray) {
+void test_shape(Query& q, const Object& object, const Ray& ray) {
   // Includes the best t, to decide between equal hits.
   ShapeHit hit;
   const double end = q.shadow ? q.best : next_up<std::int64_t>(q.best);
-  if (!intersect(part.shape, ray, q.t_min, end, hit)) {
+  if (!intersect(object.shape, ray, q.t_min, end, hit)) {
     return;
   }
   if (q.shadow) {
-    obstruct(q, part);
+    obstruct(q, object);
   } else if (improves(q, hit.t, 0)) {
-    accept(q, part, hit.t);
+    accept(q, object, hit.t);
     q.face = hit.face;
     q.triangle = 0;
   }
 }
 
-void enter_instance(Query& q, const Part& part, const Ray& ray) {
+void enter_instance(Query& q, const Object& object, const Ray& ray) {
   if (++q.entered > max_instances_entered) {
     q.overwhelmed = true;
     q.blocked = true;
@@ -51,7 +51,7 @@ void enter_instance(Query& q, const Part& part, const Ray& ray) {
     return;
   }
   ++q.depth;
-  search_group(q, q.parts->groups[part.target], ray);
+  search_group(q, q.geometry->groups[object.target], ray);
   --q.depth;
 }
 
@@ -69,10 +69,10 @@ bool improves(const Query& q, double t, std::uint32_t triangle) {
   return triangle > q.triangle;
 }
 
-void accept(Query& q, const Part& part, double t) {
+void accept(Query& q, const Object& object, double t) {
   q.found = true;
   q.best = t;
-  q.part = &part;
+  q.object = &object;
   q.found_depth = q.depth;
   std::copy_n(q.path.begin(), q.depth + 1, q.found_path.begin());
 }
@@ -82,22 +82,22 @@ void search_group(Query& q, const Group& group, const Ray& ray) {
     search_group_scene(q, group, ray);
     return;
   }
-  for (std::uint32_t i = 0; i < group.parts.size() && !q.blocked; ++i) {
-    test_part(q, group, i, ray);
+  for (std::uint32_t i = 0; i < group.objects.size() && !q.blocked; ++i) {
+    test_object(q, group, i, ray);
   }
 }
 
-void test_part(Query& q, const Group& group, std::uint32_t index, const Ray& ray) {
-  const Part& part = group.parts[index];
-  const Ray local = transform(part.part_from_group, ray);
+void test_object(Query& q, const Group& group, std::uint32_t index, const Ray& ray) {
+  const Object& object = group.objects[index];
+  const Ray local = transform(object.object_from_group, ray);
   q.path[q.depth] = index;
-  switch (part.kind) {
-    case PartKind::shape:
-      return test_shape(q, part, local);
-    case PartKind::mesh:
-      return search_mesh(q, part, local);
-    case PartKind::group:
-      return enter_instance(q, part, local);
+  switch (object.kind) {
+    case ObjectKind::shape:
+      return test_shape(q, object, local);
+    case ObjectKind::mesh:
+      return search_mesh(q, object, local);
+    case ObjectKind::instance:
+      return enter_instance(q, object, local);
   }
 }
 

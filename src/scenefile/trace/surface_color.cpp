@@ -12,7 +12,7 @@ namespace scenefile {
 using one::splat3;
 
 std::optional<Color> texture_color(const Tracer& tracer, const SurfacePoint& point,
-                                   const PixelSteps& steps, int grid) {
+                                   const PixelDerivatives& dp, int grid) {
   const RenderMaterial& material = *point.material;
   const bool textured = tracer.options.mode == Mode::ray && tracer.options.features.texture &&
                         material.texture.used() && material.blend != 0;
@@ -27,8 +27,8 @@ std::optional<Color> texture_color(const Tracer& tracer, const SurfacePoint& poi
   if (tracer.course()) {
     return lookup_course_filter(texture, material.texture, uv);
   }
-  return lookup_filtered(tracer.pyramids[material.texture.file], material.texture, uv,
-                         uv_footprint(point, steps), grid);
+  return lookup_filtered(tracer.mip_maps[material.texture.file], material.texture, uv,
+                         uv_footprint(point, dp), grid);
 }
 
 Color diffuse_color(const Tracer& tracer, const RenderMaterial& material,
@@ -37,14 +37,14 @@ Color diffuse_color(const Tracer& tracer, const RenderMaterial& material,
   return texture ? glm::mix(plain, *texture, double(material.blend)) : plain;
 }
 
-void apply_bump(const Tracer& tracer, SurfacePoint& point, const PixelSteps& steps, int grid) {
+void apply_bump(const Tracer& tracer, SurfacePoint& point, const PixelDerivatives& dp, int grid) {
   const RenderTexture& map = point.material->bump_map;
-  if (!map.used() || !point.has_uv || tracer.pyramids.empty() ||
-      tracer.pyramids[map.file].empty()) {
+  if (!map.used() || !point.has_uv || tracer.mip_maps.empty() ||
+      tracer.mip_maps[map.file].empty()) {
     return;
   }
-  const Pyramid& pyramid = tracer.pyramids[map.file];
-  UvFootprint footprint = uv_footprint(point, steps);
+  const MipMap& mip_map = tracer.mip_maps[map.file];
+  UvFootprint footprint = uv_footprint(point, dp);
   footprint.right /= grid;
   footprint.down /= grid;
   const Surface& s = point.object;
@@ -52,9 +52,9 @@ void apply_bump(const Tracer& tracer, SurfacePoint& point, const PixelSteps& ste
   const one::V3 normal = one::bumped_normal(
       {splat3(s.normal), s.uv.x, s.uv.y, splat3(s.tangent_u), splat3(s.tangent_v)},
       {footprint.right.x, footprint.right.y}, {footprint.down.x, footprint.down.y},
-      double(map.repeat_u) * pyramid.level(0).width, double(map.repeat_v) * pyramid.level(0).height,
+      double(map.repeat_u) * mip_map.level(0).width, double(map.repeat_v) * mip_map.level(0).height,
       bumped, [&](double u, double v, bool) {
-        return splat3(lookup_filtered(pyramid, map, {u, v}, footprint));
+        return splat3(lookup_filtered(mip_map, map, {u, v}, footprint));
       });
   if (bumped) {
     point.normal = world_normal(point.hit.object_from_world, {normal.x, normal.y, normal.z});

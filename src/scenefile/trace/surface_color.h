@@ -1,5 +1,5 @@
 #pragma once
-// Textures and bump maps of single points, for the path tracer. Waves do the same in lanes.
+// Textures and bump maps of single points, for the path tracer. Wavefronts do the same in lanes.
 
 #include "scenefile/trace/footprint.h"
 #include "scenefile/trace/surface_point.h"
@@ -9,17 +9,17 @@
 
 namespace scenefile {
 
-/// The color of the texture at the point, if it has one that is used. `steps`: derivatives of the
+/// The color of the texture at the point, if it has one that is used. `dp`: derivatives of the
 /// point, see footprint.h; `grid`: SampleKey::texture_grid.
 std::optional<Color> texture_color(const Tracer& tracer, const SurfacePoint& point,
-                                   const PixelSteps& steps, int grid);
+                                   const PixelDerivatives& dp, int grid);
 
 /// The color that diffuse light is multiplied by: kd * Cd, or the texture blended over it.
 Color diffuse_color(const Tracer& tracer, const RenderMaterial& material,
                     const std::optional<Color>& texture);
 
 /// Replaces the shading normal by that of the bump map.
-void apply_bump(const Tracer& tracer, SurfacePoint& point, const PixelSteps& steps, int grid);
+void apply_bump(const Tracer& tracer, SurfacePoint& point, const PixelDerivatives& dp, int grid);
 
 /// Whether the light is used in this mode: the course's ray caster only uses directional lights.
 bool shines_in(const Tracer& tracer, const RenderLight& light);

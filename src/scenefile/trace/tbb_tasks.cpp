@@ -1,8 +1,8 @@
 // The only file that includes TBB.
 
-#include "scenefile/trace/hand_over.h"
 #include "scenefile/trace/no_denormals.h"
 #include "scenefile/trace/tasks.h"
+#include "scenefile/trace/tsan_handoff.h"
 
 #include <pthread.h>
 #include <tbb/global_control.h>
@@ -91,21 +91,21 @@ ThreadLimit::ThreadLimit(int threads) {
 ThreadLimit::~ThreadLimit() = default;
 
 void for_each_task(std::size_t count, const std::function<void(std::size_t)>& work) {
-  const auto piece = [&work](std::size_t i) {
-    const HandOver hand_over;
+  const auto task = [&work](std::size_t i) {
+    const TsanHandoff handoff;
     const NoDenormals no_denormals;
     const InTask in_task;
     work(i);
   };
-  const auto loop = [&] { tbb::parallel_for(std::size_t(0), count, piece); };
-  HandOver::give();
+  const auto loop = [&] { tbb::parallel_for(std::size_t(0), count, task); };
+  TsanHandoff::give();
   if (InTask::now) {
     // Waits for its own tasks alone, and runs no others meanwhile.
     tbb::this_task_arena::isolate(loop);
   } else {
     arena_of_this_thread().execute(loop);
   }
-  HandOver::collect();
+  TsanHandoff::collect();
 }
 
 }  // namespace scenefile

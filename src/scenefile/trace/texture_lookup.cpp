@@ -91,16 +91,16 @@ Texture halved(const Texture& texture) {
 
 // A texture with the interface for filtered(), for one lane.
 struct OneTexture {
-  const Pyramid& pyramid;
+  const MipMap& mip_map;
 
-  double levels() const { return pyramid.levels(); }
+  double levels() const { return mip_map.levels(); }
 
   one::V3 smooth(double level, bool wanted, double x, double y) const {
     if (!wanted) {
       return {0, 0, 0};
     }
-    const Texture& base = pyramid.level(0);
-    const Texture& texture = pyramid.level(static_cast<int>(level));
+    const Texture& base = mip_map.level(0);
+    const Texture& texture = mip_map.level(static_cast<int>(level));
     return one::bilinear(
         texture.width, texture.height, x * (double(texture.width) / base.width) - 0.5,
         y * (double(texture.height) / base.height) - 0.5, [&](double column, double row) {
@@ -126,7 +126,7 @@ glm::dvec3 lookup_course_filter(const Texture& texture, const RenderTexture& use
   return bilinear(texture, texel_position(texture, use, uv));
 }
 
-Pyramid::Pyramid(const Texture& texture) : base_(&texture) {
+MipMap::MipMap(const Texture& texture) : base_(&texture) {
   const Texture* last = base_;
   while (last->width > 1 || last->height > 1) {
     smaller_.push_back(halved(*last));
@@ -134,11 +134,11 @@ Pyramid::Pyramid(const Texture& texture) : base_(&texture) {
   }
 }
 
-glm::dvec3 lookup_filtered(const Pyramid& pyramid, const RenderTexture& use, const glm::dvec2& uv,
+glm::dvec3 lookup_filtered(const MipMap& mip_map, const RenderTexture& use, const glm::dvec2& uv,
                            const UvFootprint& footprint, int grid) {
-  const Texture& base = pyramid.level(0);
+  const Texture& base = mip_map.level(0);
   const one::V3 color =
-      one::filtered(OneTexture{pyramid}, one::texel_x(uv.x, use.repeat_u, base.width),
+      one::filtered(OneTexture{mip_map}, one::texel_x(uv.x, use.repeat_u, base.width),
                     one::texel_y(uv.y, use.repeat_v, base.height),
                     one::texel_footprint({footprint.right.x, footprint.right.y},
                                          {footprint.down.x, footprint.down.y}, use.repeat_u,

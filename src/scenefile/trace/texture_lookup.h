@@ -23,9 +23,9 @@ glm::dvec3 lookup_course_filter(const Texture& texture, const RenderTexture& use
                                 const glm::dvec2& uv);
 
 /// A texture with its mip levels, each the area average of the previous one.
-class Pyramid {
+class MipMap {
  public:
-  explicit Pyramid(const Texture& texture);
+  explicit MipMap(const Texture& texture);
 
   bool empty() const { return base_->empty(); }
   int levels() const { return 1 + static_cast<int>(smaller_.size()); }
@@ -45,7 +45,7 @@ struct UvFootprint {
 
 /// The average over the footprint; interpolates between texel centers if the footprint is smaller
 /// than a texel. `grid`: 2 for a separate lookup in each quarter of the footprint.
-glm::dvec3 lookup_filtered(const Pyramid& pyramid, const RenderTexture& use, const glm::dvec2& uv,
+glm::dvec3 lookup_filtered(const MipMap& mip_map, const RenderTexture& use, const glm::dvec2& uv,
                            const UvFootprint& footprint, int grid = 1);
 
 }  // namespace scenefile

@@ -15,7 +15,7 @@ constexpr auto between_calls = std::chrono::milliseconds(20);
 
 }  // namespace
 
-struct Watch::State {
+struct ProgressMonitor::State {
   const Progress& progress;
   std::mutex mutex;
   std::atomic<bool> stop{false};
@@ -23,22 +23,23 @@ struct Watch::State {
   std::atomic<std::chrono::steady_clock::rep> last_call{0};
 };
 
-Watch::Watch(const Progress& progress) : state_(new State{progress, {}, {}, {}, {}}) {}
+ProgressMonitor::ProgressMonitor(const Progress& progress)
+    : state_(new State{progress, {}, {}, {}, {}}) {}
 
-Watch::~Watch() = default;
+ProgressMonitor::~ProgressMonitor() = default;
 
-bool Watch::stopped() const {
+bool ProgressMonitor::stopped() const {
   return state_->stop.load(std::memory_order_relaxed);
 }
 
-void Watch::count(double share) {
+void ProgressMonitor::count(double share) {
   State& s = *state_;
   double done = s.done.load(std::memory_order_relaxed);
   while (!s.done.compare_exchange_weak(done, done + share, std::memory_order_relaxed)) {
   }
 }
 
-bool Watch::advance(double share) {
+bool ProgressMonitor::advance(double share) {
   State& s = *state_;
   count(share);
   if (!s.progress || stopped()) {
@@ -57,25 +58,25 @@ bool Watch::advance(double share) {
   return !stopped();
 }
 
-void for_each_piece(Pieces& pieces, PassShare share, Watch& watch,
-                    const std::function<bool(const Tile&)>& work) {
-  const int width = pieces.width();
-  const int height = pieces.height();
+void for_each_unfinished_tile(TileFlags& tiles, PassShare share, ProgressMonitor& monitor,
+                              const std::function<bool(const Tile&)>& work) {
+  const int width = tiles.width();
+  const int height = tiles.height();
   const int columns = tiles_across(width);
   const double pixel_share = (share.end - share.begin) / (double(width) * height);
-  for_each_task(pieces.count(), [&](std::size_t index) {
+  for_each_task(tiles.count(), [&](std::size_t index) {
     const int x0 = static_cast<int>(index % columns) * tile_side;
     const int y0 = static_cast<int>(index / columns) * tile_side;
     const Tile tile{x0, y0, std::min(width, x0 + tile_side), std::min(height, y0 + tile_side)};
     const double done = pixel_share * (tile.x1 - tile.x0) * (tile.y1 - tile.y0);
-    if (pieces.done(index)) {
-      watch.count(done);
+    if (tiles.done(index)) {
+      monitor.count(done);
       return;
     }
-    if (!watch.stopped() && work(tile)) {
-      pieces.finish(index);
+    if (!monitor.stopped() && work(tile)) {
+      tiles.finish(index);
     }
-    watch.advance(done);
+    monitor.advance(done);
   });
 }
 

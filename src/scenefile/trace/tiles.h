@@ -1,16 +1,16 @@
 #pragma once
 // Divides a picture into work for several threads.
 
-#include "scenefile/trace/pieces.h"
 #include "scenefile/trace/render.h"
 #include "scenefile/trace/tasks.h"
+#include "scenefile/trace/tile_flags.h"
 
 #include <functional>
 #include <memory>
 
 namespace scenefile {
 
-/// Part of a picture: x0 <= x < x1, y0 <= y < y1.
+/// A rectangle of pixels: x0 <= x < x1, y0 <= y < y1.
 struct Tile {
   int x0 = 0;
   int y0 = 0;
@@ -25,12 +25,12 @@ struct PassShare {
 };
 
 /// Reports progress, from one thread at a time, and remembers when the progress function cancels.
-class Watch {
+class ProgressMonitor {
  public:
-  explicit Watch(const Progress& progress);
-  ~Watch();
-  Watch(const Watch&) = delete;
-  Watch& operator=(const Watch&) = delete;
+  explicit ProgressMonitor(const Progress& progress);
+  ~ProgressMonitor();
+  ProgressMonitor(const ProgressMonitor&) = delete;
+  ProgressMonitor& operator=(const ProgressMonitor&) = delete;
 
   /// Adds a fraction of the work as done.
   void count(double share);
@@ -43,10 +43,10 @@ class Watch {
   std::unique_ptr<State> state_;
 };
 
-/// Calls `work` for unfinished pieces until all are done or the watch stops it; `work` returns
-/// whether it finished its piece. Each thread treats denormal numbers as zero.
-void for_each_piece(Pieces& pieces, PassShare share, Watch& watch,
-                    const std::function<bool(const Tile&)>& work);
+/// Calls `work` for unfinished tiles until all are done or the monitor stops it; `work` returns
+/// whether it finished its tile. Each thread treats denormal numbers as zero.
+void for_each_unfinished_tile(TileFlags& tiles, PassShare share, ProgressMonitor& monitor,
+                              const std::function<bool(const Tile&)>& work);
 
 /// Calls `work` for 0 to count - 1 from all threads.
 void for_each_line(int count, const std::function<void(int)>& work);

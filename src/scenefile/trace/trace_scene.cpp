@@ -1,11 +1,11 @@
 #include "scenefile/trace/trace_scene.h"
 
 #include "scenefile/trace/accelerator.h"
-#include "scenefile/trace/once.h"
+#include "scenefile/trace/once_flag.h"
 #include "scenefile/trace/ray_scenes.h"
 #include "scenefile/trace/texture_lookup.h"
 #include "scenefile/trace/tiles.h"
-#include "scenefile/trace/wave.h"
+#include "scenefile/trace/wavefront.h"
 
 #include <chrono>
 #include <utility>
@@ -32,8 +32,8 @@ struct TraceScene::Shared {
   const Assets& assets;
   Accelerator accelerator;
   double build_seconds;
-  mutable Once pyramids_made;
-  mutable std::vector<Pyramid> pyramids;
+  mutable OnceFlag mip_maps_made;
+  mutable std::vector<MipMap> mip_maps;
 };
 
 TraceScene::TraceScene(const RenderScene& scene, const Assets& assets,
@@ -65,20 +65,20 @@ const Accelerator& TraceScene::accelerator() const {
   return shared_->accelerator;
 }
 
-const std::vector<Pyramid>& TraceScene::pyramids() const {
-  shared_->pyramids_made([&] {
-    std::vector<Pyramid> made;
+const std::vector<MipMap>& TraceScene::mip_maps() const {
+  shared_->mip_maps_made([&] {
+    std::vector<MipMap> made;
     made.reserve(shared_->assets.textures.size());
     for (const Texture& texture : shared_->assets.textures) {
       made.emplace_back(texture);
     }
-    shared_->pyramids = std::move(made);
+    shared_->mip_maps = std::move(made);
   });
-  return shared_->pyramids;
+  return shared_->mip_maps;
 }
 
 TraceBackend trace_backend() {
-  return {embree_version(), wave_kernels().front()->name};
+  return {embree_version(), wavefront_kernels().front()->name};
 }
 
 }  // namespace scenefile

@@ -13,11 +13,11 @@
 namespace scenefile {
 
 class Accelerator;
-class Pyramid;
+class MipMap;
 
 struct TraceSceneOptions {
   int threads = 0;              ///< for building; 0: one per processor
-  bool instance_names = false;  ///< store the instances around each part (explain.h)
+  bool instance_names = false;  ///< store the instances around each object (explain.h)
 };
 
 /// The acceleration structure and the filtered textures. Copies share them.
@@ -38,7 +38,7 @@ class TraceScene {
   const Assets& assets() const;
   const Accelerator& accelerator() const;
   /// By texture. Computed at the first call.
-  const std::vector<Pyramid>& pyramids() const;
+  const std::vector<MipMap>& mip_maps() const;
 
  private:
   struct Shared;

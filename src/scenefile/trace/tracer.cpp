@@ -23,11 +23,11 @@ std::vector<glm::dvec3> shadow_factors(const RenderScene& scene, const RenderOpt
   return factors;
 }
 
-std::span<const Pyramid> pyramids_of(const TraceScene& traced, const RenderOptions& options) {
+std::span<const MipMap> mip_maps_of(const TraceScene& traced, const RenderOptions& options) {
   if (options.profile != Profile::fine || options.mode != Mode::ray || !options.features.texture) {
     return {};
   }
-  return traced.pyramids();
+  return traced.mip_maps();
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ Tracer::Tracer(const TraceScene& t, const RenderScene& s, const RenderOptions& o
       transparent(transparent_coefficient(s, o.profile)),
       accelerator(traced.accelerator(), mesh_distance(o.profile)),
       transmission(shadow_factors(s, o, transparent)),
-      pyramids(pyramids_of(traced, o)) {}
+      mip_maps(mip_maps_of(traced, o)) {}
 
 Tracer::Tracer(const RenderScene& s, const Assets& a, const RenderOptions& o)
     : Tracer(TraceScene(s, a, {.threads = o.threads}), s, o) {}

@@ -41,8 +41,8 @@ struct Tracer {
   RenderOptions options;   ///< in range
   double transparent = 0;  ///< transparentcoeff of the file or the profile
   Accelerator accelerator;
-  Transmission transmission;          ///< by material, for shadow rays
-  std::span<const Pyramid> pyramids;  ///< by texture, if lookups are filtered over footprints
+  Transmission transmission;         ///< by material, for shadow rays
+  std::span<const MipMap> mip_maps;  ///< by texture, if lookups are filtered over footprints
 };
 
 }  // namespace scenefile

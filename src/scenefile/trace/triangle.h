@@ -1,7 +1,7 @@
 #pragma once
 // Intersection of rays with single triangles of a mesh.
 
-#include "scenefile/trace/parts.h"
+#include "scenefile/trace/scene_geometry.h"
 
 #include <cmath>
 

@@ -8,8 +8,8 @@ namespace scenefile {
 namespace {
 
 constexpr std::array<std::string_view, 3> ray_names{"camera", "reflected", "refracted"};
-constexpr std::array<std::string_view, 5> fate_names{"absent", "followed", "too-deep", "too-faint",
-                                                     "too-many"};
+constexpr std::array<std::string_view, 5> outcome_names{"absent", "followed", "too-deep",
+                                                        "too-faint", "too-many"};
 constexpr std::array<std::string_view, 3> unlit_names{"", "light-of-another-mode",
                                                       "light-out-of-reach"};
 
@@ -168,8 +168,8 @@ class Document {
 
   void add_branch(std::string_view name, const BranchRecord& branch) {
     json_.begin_object(name);
-    json_.add({{"fate", name_of(fate_names, branch.fate)}, {"factor", branch.factor}});
-    if (branch.fate == Fate::followed) {
+    json_.add({{"fate", name_of(outcome_names, branch.outcome)}, {"factor", branch.factor}});
+    if (branch.outcome == BranchOutcome::followed) {
       json_.add("ray", branch.ray);
     }
     json_.end_object();

@@ -341,7 +341,7 @@ class Explanation {
       item.add(light_item(light, *ray.surface, index));
     }
     for (const BranchRecord* branch : {&ray.mirror, &ray.glass}) {
-      if (branch->fate == Fate::followed) {
+      if (branch->outcome == BranchOutcome::followed) {
         item.add(ray_item(branch->ray));
       }
     }

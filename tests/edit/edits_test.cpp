@@ -487,6 +487,12 @@ TEST(Edits, AMatrixWithARowThatCannotBeReadIsWrittenAnew) {
   EXPECT_THAT(edited, Not(HasSubstr("<pos")));
 }
 
+TEST(Edits, ALightWithoutValuesGetsATypeWithWhatItNeeds) {
+  EXPECT_THAT(after_edit("<scenefile><lightdata/></scenefile>",
+                         setting(ItemKind::light, "type", 0, "area")),
+              testing::ContainsRegex("<type v=\"area\"/>.*<width v=.*</lightdata>"));
+}
+
 TEST(Edits, NothingMovesAnObjectOfATemplate) {
   const Result<Document> document = Document::open(scene_xml, {});
   EXPECT_FALSE(handle_of(*document, nth(*document, ItemKind::primitive)));

@@ -521,7 +521,10 @@ class Editor {
 
   std::vector<TextChange> retyped(const SceneItem& item, const FieldView& field,
                                   const std::string& type, std::span<const FieldView> known) const {
-    std::vector<TextChange> changes = value_changes(item, field, {type});
+    std::vector<TextChange> changes;
+    if (field.written) {
+      changes = value_changes(item, field, {type});
+    }
     std::vector<PartId> unused;
     std::vector<std::pair<const FieldWord*, Values>> missing;
     for (const FieldWord* const word : ordered_words(item.kind, syntax_.xml)) {
@@ -533,6 +536,9 @@ class Editor {
       }
       const LightUse use = use_of(*word, type);
       if (word->xml == "type") {
+        if (!field.written) {
+          missing.push_back({word, {type}});
+        }
         continue;
       }
       if (present != no_part && !use.effective) {

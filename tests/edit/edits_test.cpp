@@ -150,6 +150,42 @@ TEST(Edits, InJsonAnObjectsOwnGroupIsRemovedWithIt) {
   EXPECT_THAT(after_edit(two, remove), HasSubstr("ball")) << "the group has another object";
 }
 
+TEST(Edits, InJsonObjectsAreAddedBesideTheGroupOfAnother) {
+  const auto add = [](const Document& document) {
+    return add_item(document, nth(document, ItemKind::primitive), {ItemKind::primitive, "cone"});
+  };
+  const std::string tall = with(scene_json, "\"name\": \"ball\"", "\"scale\": [1, 9, 1]");
+  const Result<Document> beside = Document::open(after_edit(tall, add), {});
+  ASSERT_TRUE(beside);
+  const ItemId cone = nth(*beside, ItemKind::primitive, 1);
+  ASSERT_EQ((*beside)[cone].name, "cone");
+  EXPECT_EQ(handle_of(*beside, cone)->world_from_item[1].y, 1) << "not as tall";
+  const Result<Document> shared = Document::open(
+      after_edit(with(tall, "{\"type\": \"sphere\"", "{\"type\": \"cube\"}, {\"type\": \"sphere\""),
+                 add),
+      {});
+  ASSERT_TRUE(shared);
+  EXPECT_EQ(handle_of(*shared, nth(*shared, ItemKind::primitive, 2))->world_from_item[1].y, 9)
+      << "in the group of both";
+}
+
+TEST(Edits, AShapeBecomesAMeshWithItsFile) {
+  const auto mesh = [](std::string name) {
+    return [=](const Document& document) {
+      const ItemId item = nth(document, ItemKind::primitive);
+      const std::vector<FieldView> fields = document.fields(item);
+      const auto shape = std::find_if(fields.begin(), fields.end(),
+                                      [&](const FieldView& field) { return field.name == name; });
+      const std::vector<std::optional<std::string>> typed{"mesh", "a&b.obj"};
+      return set_values(document, item, *shape, typed);
+    };
+  };
+  EXPECT_THAT(after_edit(scene_xml, mesh("name")),
+              HasSubstr("type=\"primitive\" name=\"mesh\" filename=\"a&amp;b.obj\""));
+  EXPECT_THAT(after_edit(scene_json, mesh("type")),
+              HasSubstr("\"type\": \"mesh\", \"meshFile\": \"a&b.obj\""));
+}
+
 TEST(Edits, ATemplateInUseStays) {
   EXPECT_THAT(after_edit(scene_xml,
                          [](const Document& document) {
@@ -168,6 +204,7 @@ TEST(Edits, AddedObjectsFollowTheLayout) {
             with(scene_xml, "\t</object>\r\n</scenefile>",
                  "\t\t<transblock>\r\n\t\t\t<translate x=\"-1.2\" y=\"0\" z=\"0\"/>\r\n"
                  "\t\t\t<object type=\"primitive\" name=\"cone\">\r\n"
+                 "\t\t\t\t<ambient r=\"0.2\" g=\"0.2\" b=\"0.2\"/>\r\n"
                  "\t\t\t\t<diffuse r=\"1\" g=\"1\" b=\"1\"/>\r\n\t\t\t</object>\r\n"
                  "\t\t</transblock>\r\n\t</object>\r\n</scenefile>"));
   EXPECT_THAT(after_edit(scene_xml, add({ItemKind::primitive, "mesh", "a&b.obj"})),
@@ -337,6 +374,28 @@ TEST(Edits, CopiesStandBesideTheirOriginals) {
   const Result<Edit> copied = duplicate_item(*named, nth(*named, ItemKind::primitive));
   ASSERT_TRUE(copied);
   EXPECT_THAT(applied(odd, *copied).substr(*copied->select), StartsWith("{\"type\": \"sphere\""));
+}
+
+TEST(Edits, MeshesHaveTheirOwnSize) {
+  const std::string text = seen_from_the_front(
+      R"(<transblock><object type="primitive" name="mesh" filename="bar.obj"/></transblock>)");
+  Viewpoint view{{0, 1, 8}, {0, 0, 0}};
+  const auto add = [&](const NewItem& what) {
+    return after_edit(text, [&](const Document& document) {
+      return add_item(document, nth(document, ItemKind::root), what, view);
+    });
+  };
+  const auto copy = [&](const Document& document) {
+    return duplicate_item(document, nth(document, ItemKind::primitive), view);
+  };
+  EXPECT_THAT(after_edit(text, copy), HasSubstr(R"(<translate x="1.2" y="0" z="0"/>)"));
+  view.meshes["bar.obj"] = {{{-1, 0, -0.1}, {3, 1, 0.1}}};
+  EXPECT_THAT(after_edit(text, copy), HasSubstr(R"(<translate x="4.8" y="0" z="0"/>)"));
+  const NewItem cube{ItemKind::primitive, "cube"};
+  EXPECT_THAT(add(cube), HasSubstr(R"(<translate x="0" y="0" z="-0.8"/>)")) << "behind the bar";
+  EXPECT_THAT(add({ItemKind::primitive, "mesh", "bar.obj"}),
+              HasSubstr(R"(<translate x="0" y="0" z="-8"/>)"))
+      << "all of it is in view";
 }
 
 TEST(Edits, AnObjectEntersAndLeavesAGroup) {

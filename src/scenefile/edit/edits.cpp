@@ -105,6 +105,20 @@ std::vector<TextChange> merged(std::vector<TextChange> changes) {
   return result;
 }
 
+// In JSON, the group around a single object or light is only its place.
+ItemId with_place(const Document& document, ItemId item) {
+  const ItemId around = document[item].parent;
+  const bool alone =
+      !document.is_xml() && around != no_item && document[item].kind != ItemKind::group &&
+      document[around].kind == ItemKind::group && document[around].children.size() == 1;
+  return alone ? around : item;
+}
+
+// The ambient color of new objects, which can be seen in the shadow.
+Values dim_gray() {
+  return Values(3, "0.2");
+}
+
 // Makes the changes of one document.
 class Editor {
  public:
@@ -115,7 +129,9 @@ class Editor {
         layout_(syntax_),
         reader_(state_) {}
 
-  Result<Edit> set(ItemId id, const FieldView& field, const Values& values) const {
+  // `file`: of a primitive that becomes a mesh.
+  Result<Edit> set(ItemId id, const FieldView& field, const Values& values,
+                   std::string_view file) const {
     const SceneItem& item = document_[id];
     if (item.kind == ItemKind::master && field.name == "name") {
       return edit_of(renamed(item, *values[0]));
@@ -125,7 +141,7 @@ class Editor {
     }
     std::vector<TextChange> changes = value_changes(item, field, values);
     if (item.kind == ItemKind::primitive && field.title == shape_field.title) {
-      for (TextChange& change : mesh_file_changes(item, field, *values[0])) {
+      for (TextChange& change : mesh_file_changes(item, field, *values[0], file)) {
         changes.push_back(std::move(change));
       }
     }
@@ -583,7 +599,8 @@ class Editor {
   }
 
   std::vector<TextChange> mesh_file_changes(const SceneItem& item, const FieldView& shape,
-                                            const std::string& wanted) const {
+                                            const std::string& wanted,
+                                            std::string_view file) const {
     const std::string_view key = syntax_.xml ? "filename" : "meshFile";
     std::optional<TextRange> known;
     PartId entry = no_part;
@@ -605,16 +622,16 @@ class Editor {
     if (mesh == known.has_value() || wanted == item.name) {
       return {};
     }
-    const std::string start(mesh_field.start);
     if (syntax_.xml) {
       const std::array<std::string_view, 2> after{"type", "name"};
-      return mesh ? std::vector<TextChange>{layout_.set_attribute(item.element, key, start, after)}
+      return mesh ? std::vector<TextChange>{layout_.set_attribute(
+                        item.element, key, state_.attribute_value(file), after)}
                   : std::vector<TextChange>{{known->from - 1, known->size() + 1, ""}};
     }
     if (!mesh) {
       return removal_of_fields(item, {entry});
     }
-    const Piece piece{literal(json_quoted(start)), {}};
+    const Piece piece{literal(json_quoted(file)), {}};
     return {
         layout_.insert_entry(item.element, syntax_.index(shape.element) + 1, piece, key).change};
   }
@@ -942,8 +959,9 @@ class Editor {
     if (near && is_group(document_[*near])) {
       return near;
     }
-    if (near && document_[*near].parent != no_item) {
-      return document_[*near].parent;
+    const ItemId around = near ? document_[with_place(document_, *near)].parent : no_item;
+    if (around != no_item) {
+      return around;
     }
     for (ItemId id = 0; id < document_.items().size(); ++id) {
       if (document_[id].kind == ItemKind::root) {
@@ -968,6 +986,7 @@ class Editor {
       if (what.name == ::scenefile::word_of(Shape::mesh)) {
         set("filename", what.file.empty() ? mesh_field.start : std::string_view(what.file));
       }
+      object.children.push_back(fresh_element(primitive_fields[2], dim_gray()));
       object.children.push_back(fresh_element(primitive_fields[3], {}));
     } else if (what.kind == ItemKind::group) {
       set("type", "tree");
@@ -1038,6 +1057,7 @@ class Editor {
         shape.push_back(member(
             "meshFile", literal(json_quoted(what.file.empty() ? mesh_field.start : what.file))));
       }
+      shape.push_back(member("ambient", fresh_entry(primitive_fields[2], dim_gray())));
       shape.push_back(member("diffuse", fresh_entry(primitive_fields[3], {})));
       members.push_back(member("primitives", list_of({object_of(std::move(shape))})));
     } else if (what.kind == ItemKind::group) {
@@ -1092,7 +1112,9 @@ Result<Edit> set_values(const Document& document, ItemId item, const FieldView& 
   if (std::all_of(values.begin(), values.end(), [](const auto& value) { return !value; })) {
     return Edit{};
   }
-  return Editor(document).set(item, field, values);
+  return Editor(document).set(
+      item, field, values,
+      typed.size() > values.size() ? *typed.back() : std::string(mesh_field.start));
 }
 
 Result<Edit> set_value(const Document& document, ItemId item, const FieldView& field,
@@ -1315,19 +1337,6 @@ Result<Edit> add_item(const Document& document, std::optional<ItemId> near, cons
   }
   return Editor(document).add(near, what, view);
 }
-
-namespace {
-
-// In JSON, the group around a single object or light is only its place.
-ItemId with_place(const Document& document, ItemId item) {
-  const ItemId around = document[item].parent;
-  const bool alone =
-      !document.is_xml() && around != no_item && document[item].kind != ItemKind::group &&
-      document[around].kind == ItemKind::group && document[around].children.size() == 1;
-  return alone ? around : item;
-}
-
-}  // namespace
 
 Result<Edit> remove_item(const Document& document, ItemId selected) {
   const ItemId id = with_place(document, selected);

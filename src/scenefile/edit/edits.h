@@ -9,6 +9,8 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -26,7 +28,8 @@ namespace scenefile {
 /// gets a file; a template that is renamed keeps its instances.
 Result<Edit> set_value(const Document& document, ItemId item, const FieldView& field,
                        std::size_t part, std::string_view typed);
-/// The same for several parts at once; nullopt leaves a part as it is. At least one is given.
+/// The same for several parts at once; nullopt leaves a part as it is. At least one is given. One
+/// more than the field has is the file of a primitive that becomes a mesh.
 Result<Edit> set_values(const Document& document, ItemId item, const FieldView& field,
                         std::span<const std::optional<std::string>> typed);
 /// Sets the type of a light. It loses the fields that have no effect on the new type, and gets
@@ -61,10 +64,13 @@ struct NewItem {
   friend bool operator==(const NewItem&, const NewItem&) = default;
 };
 
-/// From where the author looks at the scene, in world space.
+/// What the author sees, in world space.
 struct Viewpoint {
   glm::dvec3 eye{0};
   glm::dvec3 at{0};
+  /// By file name as written: the corners of the bounding boxes of meshes, if they are known;
+  /// others count as cubes.
+  std::map<std::string, std::array<glm::dvec3, 2>> meshes{};
 };
 
 /// What can be added beside an item, or without one: lights, primitives, a group, instances of
@@ -72,7 +78,7 @@ struct Viewpoint {
 std::vector<NewItem> kinds_to_add(const Document& document, std::optional<ItemId> near);
 /// Adds an item with sensible values to `near`, if that is a group, otherwise to the group of
 /// `near`; without one, to the root. It stands near what the author looks at, otherwise near what
-/// the scene's camera looks at, and overlaps nothing, as far as this can be known without files.
+/// the scene's camera looks at, and overlaps nothing.
 Result<Edit> add_item(const Document& document, std::optional<ItemId> near, const NewItem& what,
                       const std::optional<Viewpoint>& view = {});
 /// Removes an item with all that it contains; comments around it stay.

@@ -1,6 +1,7 @@
 // Where new objects and copies may stand.
 
 #include "scenefile/base/shape.h"
+#include "scenefile/edit/document_state.h"
 #include "scenefile/edit/placing.h"
 #include "scenefile/scene/transforms.h"
 
@@ -40,6 +41,15 @@ struct Extent {
 
 const Extent unit_extent{glm::dvec3(-0.5), glm::dvec3(0.5)};
 
+Extent extent_of_mesh(const std::string& file, const std::optional<Viewpoint>& view) {
+  if (view) {
+    if (const auto known = view->meshes.find(file); known != view->meshes.end()) {
+      return {known->second[0], known->second[1]};
+    }
+  }
+  return unit_extent;
+}
+
 Extent around(const glm::dvec3& center, const glm::dvec3& size) {
   return {center - 0.5 * size, center + 0.5 * size};
 }
@@ -65,8 +75,17 @@ struct DrawnItems {
   glm::dvec3 light_size{0.5};
 };
 
-DrawnItems drawn_items(const Document& document) {
+DrawnItems drawn_items(const Document& document, const std::optional<Viewpoint>& view) {
   const auto items = document.items();
+  std::map<PartId, Extent> meshes;
+  for (const Node& node : document.scene().nodes) {
+    for (const Primitive& primitive : node.primitives) {
+      if (primitive.shape == Shape::mesh) {
+        meshes.emplace(document.state().syntax.at(primitive.location),
+                       extent_of_mesh(primitive.mesh_file, view));
+      }
+    }
+  }
   DrawnItems drawn;
   drawn.maps.resize(items.size());
   drawn.extents.resize(items.size());
@@ -81,7 +100,8 @@ DrawnItems drawn_items(const Document& document) {
       map = composed(map, document.scene().nodes[item.node].transforms);
     }
     if (item.kind == ItemKind::primitive) {
-      drawn.extents[id] = placed(map, unit_extent);
+      const auto mesh = meshes.find(item.element);
+      drawn.extents[id] = placed(map, mesh == meshes.end() ? unit_extent : mesh->second);
     } else if (item.kind == ItemKind::instance) {
       drawn.extents[id] = placed(map, drawn.templates[item.name]);
     }
@@ -225,10 +245,11 @@ bool is_invertible(const DAffine& map) {
 glm::dvec3 free_place(const Document& document, std::optional<ItemId> group, const NewItem& what,
                       const std::optional<Viewpoint>& view) {
   const bool is_light = what.kind == ItemKind::light;
-  DrawnItems drawn = drawn_items(document);
+  DrawnItems drawn = drawn_items(document, view);
   const DAffine map = group ? drawn.maps[*group] : DAffine();
   const ItemId master = master_of(document, drawn, group);
-  const Extent own = what.kind == ItemKind::instance ? drawn.templates[what.name] : unit_extent;
+  const Extent own = what.kind == ItemKind::instance ? drawn.templates[what.name]
+                                                     : extent_of_mesh(what.file, view);
   if (!is_invertible(map) || own.empty()) {
     return glm::dvec3(0);
   }
@@ -262,7 +283,7 @@ glm::dvec3 free_place(const Document& document, std::optional<ItemId> group, con
 }
 
 glm::dvec3 way_beside(const Document& document, ItemId item, const std::optional<Viewpoint>& view) {
-  const DrawnItems drawn = drawn_items(document);
+  const DrawnItems drawn = drawn_items(document, view);
   Extent own;
   std::vector<bool> inside(drawn.extents.size());
   for (ItemId id = 0; id < inside.size(); ++id) {

@@ -51,7 +51,6 @@ class Layout {
   const std::string& unit() const { return unit_; }
   const std::string& line_end() const { return line_end_; }
   bool one_line() const { return one_line_; }
-  bool minified() const { return minified_; }
   std::string_view indent_at(std::size_t at) const;
   Piece piece_of(TextRange range) const;
   std::string text_of(const Piece& piece, const std::string& indent, bool broad) const;

@@ -21,7 +21,7 @@ std::optional<glm::dmat4> tree_from_item(const Document& document, ItemId item);
 std::optional<Handle> handle_in_tree(const Document& document, ItemId item);
 
 /// The translation of a new object or light in a group, or outside of all, so that it stands near
-/// what the author looks at and overlaps nothing. A mesh counts as a cube: its file is not read.
+/// what the author looks at and overlaps nothing.
 glm::dvec3 free_place(const Document& document, std::optional<ItemId> group, const NewItem& what,
                       const std::optional<Viewpoint>& view);
 /// How far a copy has to move, in the space of its original, to stand beside it, as the author sees

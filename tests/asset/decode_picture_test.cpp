@@ -208,6 +208,8 @@ TEST(DecodePicture, NamesTheFormatsForOtherFiles) {
   EXPECT_TRUE(is_picture_name("a.b/C.JPEG"));
   EXPECT_TRUE(is_picture_name("x.pgm"));
   EXPECT_TRUE(is_picture_name("x.exr"));
+  EXPECT_TRUE(is_texture_name("a.b/C.JPEG"));
+  EXPECT_FALSE(is_texture_name("x.exr")) << "textures do not have it";
   for (const char* name : {"png", "x.", "x.p", "x.xml", "x.png ", "x.jpg .jp", ""}) {
     EXPECT_FALSE(is_picture_name(name)) << name;
   }

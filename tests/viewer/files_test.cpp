@@ -2,6 +2,7 @@
 
 #include "io/temp_folder.h"
 #include "scenefile/viewer/file_watch.h"
+#include "scenefile/viewer/files_to_choose.h"
 #include "scenefile/viewer/playlist.h"
 
 #include <gtest/gtest.h>
@@ -14,6 +15,20 @@ namespace {
 
 using testing_support::TempFolder;
 namespace fs = std::filesystem;
+
+TEST(FilesToChoose, AreThoseThatTheSceneCanName) {
+  const TempFolder folder;
+  for (const char* const file : {"a.xml", "wood10.png", "wood2.JPG", "light.exr", "tree.obj",
+                                 "maps/b.tga", "maps/c.obj", "maps/deep/d.png", ".hidden/e.png"}) {
+    folder.write(file, "");
+  }
+  using Files = std::vector<std::string>;
+  const std::string scene = folder.path("a.xml");
+  EXPECT_EQ(files_to_choose(scene, FileUse::mesh), (Files{"maps/c.obj", "tree.obj"}));
+  EXPECT_EQ(files_to_choose(scene, FileUse::image),
+            (Files{"maps/b.tga", "wood2.JPG", "wood10.png"}));
+  EXPECT_EQ(files_to_choose(folder.path("none/a.xml"), FileUse::mesh), Files());
+}
 
 TEST(FileWatch, ReportsAChangeOnceWhenTheFileIsStable) {
   const TempFolder folder;

@@ -24,6 +24,17 @@ const Codec* codec_of(std::string_view bytes, std::span<const Codec* const> code
   return found != codecs.end() ? *found : nullptr;
 }
 
+bool is_name_of(std::span<const Codec* const> codecs, std::string_view file_name) {
+  const std::size_t point = file_name.rfind('.');
+  if (point == std::string_view::npos) {
+    return false;
+  }
+  const std::string extension = lower_case(file_name.substr(point)) + " ";
+  return std::any_of(codecs.begin(), codecs.end(), [&](const Codec* codec) {
+    return fmt::format("{} ", codec->format.extensions).find(extension) != std::string::npos;
+  });
+}
+
 std::uint64_t megabytes(std::uint64_t bytes) {
   return (bytes + 999'999) / 1'000'000;
 }
@@ -129,14 +140,11 @@ std::string picture_format_names() {
 }
 
 bool is_picture_name(std::string_view file_name) {
-  const std::size_t point = file_name.rfind('.');
-  if (point == std::string_view::npos) {
-    return false;
-  }
-  const std::string extension = lower_case(file_name.substr(point)) + " ";
-  return std::any_of(std::begin(picture_codecs), std::end(picture_codecs), [&](const Codec* codec) {
-    return fmt::format("{} ", codec->format.extensions).find(extension) != std::string::npos;
-  });
+  return is_name_of(picture_codecs, file_name);
+}
+
+bool is_texture_name(std::string_view file_name) {
+  return is_name_of(texture_codecs, file_name);
 }
 
 std::uint64_t decoded_bytes(std::string_view bytes) {

@@ -27,6 +27,8 @@ std::vector<PictureFormat> picture_formats();
 std::string picture_format_names();
 /// Whether the name has one of their extensions, in any case.
 bool is_picture_name(std::string_view file_name);
+/// The same of the formats that textures have.
+bool is_texture_name(std::string_view file_name);
 
 /// Decodes PNG, JPEG, GIF (first frame), TGA or BMP; detected from the bytes, not from the file
 /// name. Gray is expanded, 16 bits are rounded to 8, alpha is dropped (colors are not multiplied by

@@ -13,7 +13,7 @@ constexpr std::size_t most = 500;
 
 bool is_useful(const std::string& name, FileUse use) {
   if (use == FileUse::image) {
-    return is_picture_name(name);
+    return is_texture_name(name);
   }
   return name.ends_with(".obj") || name.ends_with(".OBJ");
 }

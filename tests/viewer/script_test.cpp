@@ -33,7 +33,8 @@ TEST(Script, ADragIsManySteps) {
 }
 
 TEST(Script, AcceptsTheKeysOfTheWindow) {
-  for (const char* line : {"key Page Down", "key Ctrl+Q", "key ?", "hold W 3", "hold Shift 2"}) {
+  for (const char* line :
+       {"key Page Down", "key Ctrl+Q", "key ?", "hold W 3", "hold Shift 2", "key Right"}) {
     EXPECT_EQ(parse_script(line).wrong, "");
   }
 }

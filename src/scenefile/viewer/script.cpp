@@ -16,11 +16,12 @@ namespace {
 
 constexpr std::array<std::string_view, 3> button_names{"left", "right", "middle"};
 
-// Whether the key has an effect in the window.
+// Whether the key has an effect in the window or its menus and fields.
 bool is_key(std::string_view text) {
+  constexpr std::array<std::string_view, 4> others{"Shift", "Left", "Right", "Space"};
   const KeyPress key = parse_key(text);
   return action_of(key) != nullptr || is_flying_key(key) || is_assignment_key(key) ||
-         key.name == "Shift";
+         std::find(others.begin(), others.end(), key.name) != others.end();
 }
 
 /// Splits a line into words.

@@ -20,7 +20,6 @@
 #include <atomic>
 #include <cctype>
 #include <cmath>
-#include <initializer_list>
 #include <memory>
 #include <utility>
 
@@ -150,6 +149,7 @@ class Window {
   bool scripted() const { return !options_.script.steps.empty(); }
   bool do_step();
   bool do_step(const ScriptStep& step);
+  void script_key(const KeyPress& key, bool down);
   bool copy_file(const ScriptStep& step);
 
   void wait();
@@ -251,6 +251,7 @@ void Window::create_gui() {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext(fonts_.get());
   ImGui::GetIO().IniFilename = nullptr;  // the window keeps its own settings
+  ImGui::GetIO().ConfigDragClickToInputText = true;
   install_callbacks();
   ImGui_ImplGlfw_InitForOpenGL(window_, false);
   ImGui_ImplOpenGL3_Init("#version 410 core");
@@ -401,9 +402,9 @@ bool Window::types_in_field() const {
          !session_.start.open;
 }
 
-// Who gets a key: a question, a field in which text is typed, an open list, the fields of the
-// selection, and then the window. Shortcuts with Ctrl are always the window's, except for those
-// that fields have too; so are keys that fields only need while text is typed.
+// Who gets a key: a question; a field in which text is typed, an open list and the fields of the
+// selection, if they have the keyboard; otherwise the window. Keys with Ctrl are always the
+// window's, except for those that typing needs, and so are Insert and F1 to F12.
 void Window::on_key(const KeyPress& key, bool down) {
   stir();
   if (!down) {
@@ -423,22 +424,21 @@ void Window::on_key(const KeyPress& key, bool down) {
     }
     return;
   }
-  const auto is_one_of = [&](std::initializer_list<std::string_view> names) {
-    return std::find(names.begin(), names.end(), key.name) != names.end();
-  };
-  const bool of_field =
-      typing  ? !key.control || is_one_of({"C", "Z", "Left", "Right"})
-      : popup ? !key.control
-              : !key.control && is_one_of({"Up", "Down", "Left", "Right", "Tab", "Enter", "Space",
-                                           "Home", "End", "Page Up", "Page Down"});
+  constexpr std::array<std::string_view, 4> for_typing{"C", "Z", "Left", "Right"};
+  const bool types =
+      typing && std::find(for_typing.begin(), for_typing.end(), key.name) != for_typing.end();
+  const bool is_function = key.name.size() > 1 && key.name[0] == 'F';
+  const bool of_window = key.control ? !types : is_function || key.name == "Insert";
   if (session_.question || !(typing || popup || session_.keyboard_in_fields)) {
     key_pressed(session_, key);
-  } else if (!of_field && action_of(key) != nullptr) {
+  } else if (of_window && action_of(key) != nullptr) {
     if (types_in_field()) {
       pass_key(GLFW_KEY_ENTER, 0, GLFW_PRESS, 0);  // the field takes over what was typed
       pass_key(GLFW_KEY_ENTER, 0, GLFW_RELEASE, 0);
     }
     shortcuts_.push_back(key);
+  } else if (!typing && !popup && (key.name.size() == 1 || key.name == "Delete")) {
+    say(session_, "the keyboard is in the fields: Escape leaves them");
   }
 }
 
@@ -492,18 +492,29 @@ bool Window::copy_file(const ScriptStep& step) {
   return failure_.empty();
 }
 
+// ImGui only needs the keys with a name.
+void Window::script_key(const KeyPress& key, bool down) {
+  const auto named = std::find_if(named_keys.begin(), named_keys.end(),
+                                  [&](const NamedKey& n) { return n.name == key.name; });
+  if (named != named_keys.end()) {
+    const int with = (key.control ? GLFW_MOD_CONTROL : 0) | (key.shift ? GLFW_MOD_SHIFT : 0);
+    pass_key(named->code, 0, down ? GLFW_PRESS : GLFW_RELEASE, with);
+  }
+  on_key(key, down);
+}
+
 // Returns true if the step is done.
 bool Window::do_step(const ScriptStep& step) {
   constexpr std::uint64_t looks_for_change = 2;  // see FileWatch::changed()
   switch (step.kind) {
     case StepKind::key:
-      on_key(parse_key(step.text), true);
-      on_key(parse_key(step.text), false);
+      script_key(parse_key(step.text), true);
+      script_key(parse_key(step.text), false);
       return true;
     case StepKind::hold:
-      on_key(parse_key(step.text), true);
+      script_key(parse_key(step.text), true);
       if (step_frames_ >= step.number) {
-        on_key(parse_key(step.text), false);
+        script_key(parse_key(step.text), false);
       }
       return step_frames_ >= step.number;
     case StepKind::move:

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ namespace {
 
 using namespace testing_support;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// A separate X server with an unused display number.
 class Screen {
@@ -277,9 +279,11 @@ TEST_F(View, KeysAndPanels) {
 
 TEST_F(View, TheKeyboardInTheFields) {
   const std::string enter = "settle\nclick 675 299\nframes 4\nkey Enter\nframes 4\n";
-  const ProgramRun run = tour(
-      enter + "key Up\nframes 4\n" + shot("up.png") + "key 3\nframes 4\n" + shot("normals.png") +
-      "key 1\nclick 150 560\nframes 4\nkey Up\nkey Up\nframes 4\n" + shot("sphere.png"));
+  const ProgramRun run =
+      tour(enter + "key Up\nkey 3\nframes 4\n" + shot("up.png") + "key Escape\nkey 3\nframes 4\n" +
+           shot("normals.png") +
+           "key 1\nkey Enter\nframes 4\nclick 150 560\nframes 4\nkey Up\nkey Up\n" + "frames 4\n" +
+           shot("sphere.png"));
   EXPECT_EQ(run.status, 0) << run.err;
   const auto marked = [&](const std::string& name) {  // left of the middle
     const Texture window = picture(name);
@@ -293,8 +297,50 @@ TEST_F(View, TheKeyboardInTheFields) {
     return found > 5;
   };
   EXPECT_FALSE(marked("up.png")) << "the fields got the key";
+  EXPECT_EQ(color_at(picture("up.png"), sphere_x, middle_y), 'r') << "and this one";
   EXPECT_EQ(color_at(picture("normals.png"), sphere_x, middle_y), 'b') << "its normal";
   EXPECT_TRUE(marked("sphere.png")) << "the keyboard is back after a click in the panel";
+}
+
+// Presses these keys one after the other.
+std::string keys(const std::string& names) {
+  std::string steps;
+  std::istringstream words(names);
+  for (std::string name; words >> name;) {
+    steps += "key " + name + "\nframes 4\n";
+  }
+  return steps;
+}
+
+TEST_F(View, DeleteInTheFieldsKeepsTheObject) {
+  const std::string kept = folder.path("kept.xml");
+  const ProgramRun run =
+      tour("settle\nclick 675 299\nframes 4\n" + keys("Enter Delete Down Down Delete Ctrl+S") +
+           "copy " + path + " " + kept + "\n" + keys("Escape Delete Ctrl+S"));
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(folder.read("kept.xml"), scene);
+  EXPECT_THAT(folder.read("a.xml"), Not(HasSubstr("cube")));
+}
+
+TEST_F(View, FilesAreChosenFromMenus) {
+  folder.write("meshes/box.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  folder.write("oak.png", *encode_image(Image(2, 2), ImageFormat::png8, Rounding::nearest));
+  // The last entry of what can be added is a group, that of the fields a texture.
+  const ProgramRun run =
+      tour("settle\nclick 675 299\nframes 4\n" + keys("Insert Right Up Right Enter") + "settle\n" +
+           keys("Insert Up Up Right Enter") + "settle\n" + keys("Ctrl+S") + "settle\n");
+  EXPECT_EQ(run.status, 0) << run.err;
+  const std::string text = folder.read("a.xml");
+  EXPECT_THAT(text, HasSubstr(R"(name="cube"><diffuse r="0" g="1" b="0"/><blend v="1"/>)"
+                              R"(<texture file="oak.png" u="1" v="1"/>)"));
+  EXPECT_THAT(text, HasSubstr(R"(name="mesh" filename="meshes/box.obj")"));
+  // The shape in the fields: below two rows of buttons; what follows it is the list.
+  const ProgramRun again =
+      tour("settle\nclick 455 299\nframes 4\n" + keys("Enter Down Down Enter Up Right Enter") +
+           "settle\n" + keys("Ctrl+S") + "settle\n");
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_EQ(folder.read("a.xml"),
+            replaced(text, "name=\"sphere\"", "name=\"mesh\" filename=\"meshes/box.obj\""));
 }
 
 TEST_F(View, OpensScenesFromAPanel) {

@@ -42,7 +42,8 @@ std::string build_files(const Session& session, FileUse use, const std::string& 
   std::string chosen;
   const std::vector<std::string> files = files_to_choose(session.path, use);
   if (files.empty()) {
-    ImGui::TextDisabled("%s", "there are none in the scene's folder");
+    ImGui::TextDisabled("none in the scene's folder: put %s there",
+                        use == FileUse::mesh ? "an .obj file" : "an image");
   }
   for (const std::string& file : files) {
     if (ImGui::MenuItem(escaped(file, 200).c_str(), nullptr, file == now)) {
@@ -151,7 +152,7 @@ class FieldRow {
       return;
     }
     const FieldView& before = fields[index_];
-    for (std::size_t i = 0; i < typed.size(); ++i) {
+    for (std::size_t i = 0; i < before.parts.size(); ++i) {
       const FieldPart& part = before.parts[i];
       if (typed[i] && part.is_number && parse_number(*typed[i]).value == number_of(part)) {
         typed[i].reset();
@@ -225,7 +226,13 @@ class FieldRow {
     ImGui::SetNextItemWidth(width_);
     if (ImGui::BeginCombo("##choice", escaped(now, 60).c_str())) {
       for (const std::string& choice : field_.choices) {
-        if (ImGui::Selectable(escaped(choice, 60).c_str(), choice == now)) {
+        const std::string title = escaped(choice, 60);
+        std::string file;
+        if (field_.title == "Shape" && choice == word_of(Shape::mesh) && choice != now) {
+          if (build_menu_of_files(session_, title.c_str(), FileUse::mesh, file)) {
+            change({choice, file});
+          }
+        } else if (ImGui::Selectable(title.c_str(), choice == now)) {
           change(only(0, choice));
         }
       }
@@ -294,7 +301,7 @@ class FieldRow {
 float label_width(const std::vector<FieldView>& fields) {
   float width = 0;
   for (const FieldView& field : fields) {
-    if (field.written) {
+    if (field.written || field.name == "type") {  // is always shown
       width = std::max(width, ImGui::CalcTextSize(std::string(field.title).c_str()).x);
     }
   }
@@ -325,6 +332,7 @@ void build_items_to_add(Session& session, const Document& document, std::optiona
     if (is_mesh ? build_menu_of_files(session, title.c_str(), FileUse::mesh, what.file)
                 : ImGui::MenuItem(title.c_str())) {
       make_edit(session, add_item(document, item, what, viewpoint_of(session)));
+      session.keyboard_in_fields = false;
       return;  // the document has changed
     }
   }
@@ -550,7 +558,7 @@ void build_question(Session& session, const GuiFrame& frame) {
     std::array<char, 4096> path{};
     question.path->copy(path.data(), path.size() - 1);
     ImGui::SetNextItemWidth(-1);
-    if (ImGui::IsWindowAppearing()) {
+    if (!ImGui::IsAnyItemActive()) {  // also after a path that was wrong
       ImGui::SetKeyboardFocusHere();
     }
     if (ImGui::InputText(

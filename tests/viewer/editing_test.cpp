@@ -309,7 +309,14 @@ TEST_F(EditingTest, ObjectsEnterAndLeaveGroupsByKeys) {
   select_label("sphere");
   perform(session, Action::enter_group);
   EXPECT_EQ(text(), testing::scene_text) << "there is no group";
-  EXPECT_TRUE(session.notice->bad);
+  EXPECT_THAT(session.notice->text, HasSubstr("Ctrl+G makes one"));
+  for (const char* const never : {"point light", "camera"}) {
+    select_label(never);
+    perform(session, Action::enter_group);
+    EXPECT_THAT(session.notice->text, HasSubstr("only objects")) << never;
+    EXPECT_TRUE(session.notice->bad);
+  }
+  select_label("sphere");
   perform(session, Action::wrap);
   settle();
   select_label("cube");
@@ -500,6 +507,27 @@ TEST_F(EditingTest, EditsThatBreakTheSceneAreUndone) {
   settle();
   EXPECT_EQ(session.broken, nullptr);
   EXPECT_NEAR(scene().materials[0].diffuse.r, 0.5, 1e-6);
+}
+
+TEST_F(EditingTest, CertainMistakesAreCorrected) {
+  perform(session, Action::correct);
+  EXPECT_THAT(session.notice->text, HasSubstr("nothing to correct"));
+  std::string broken = testing::scene_text;
+  for (const char* const name : {"diffuse r=\"1\"", "heightangle"}) {
+    broken.insert(broken.find(name) + 1, "x");
+  }
+  open_scene(session, folder.write("b.xml", broken));
+  settle();
+  ASSERT_NE(session.broken, nullptr);
+  perform(session, Action::correct);
+  settle();
+  EXPECT_EQ(session.broken, nullptr);
+  EXPECT_EQ(text(), testing::scene_text);
+  EXPECT_THAT(session.notice->text, HasSubstr("corrected 2 mistakes"));
+  EXPECT_EQ(folder.read("b.xml"), broken) << "not saved";
+  perform(session, Action::undo);
+  settle();
+  EXPECT_EQ(text(), broken);
 }
 
 TEST_F(EditingTest, HandlesMoveAlongOneAxis) {

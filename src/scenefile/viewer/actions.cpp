@@ -26,6 +26,7 @@ constexpr std::array action_rows{
     ActionRow{Action::enter_group, "Ctrl+Right", "Edit", "move it into a group beside it"},
     ActionRow{Action::leave_group, "Ctrl+Left", "Edit", "move it out of its group"},
     ActionRow{Action::remove, "Delete", "Edit", "delete the selection"},
+    ActionRow{Action::correct, "Ctrl+E", "Edit", "correct what is misspelled, if it is certain"},
     ActionRow{Action::handles, "B", "Edit", "handles: move, turn, scale, none"},
     ActionRow{Action::row_above, "Up", "Edit", "select the row above in the outline"},
     ActionRow{Action::row_below, "Down", "Edit", "select the row below"},

@@ -66,6 +66,7 @@ enum class Action : std::uint8_t {
   magnifier,
   linear_values,
   reload,
+  correct,
   open,
   new_scene,
   next_scene,

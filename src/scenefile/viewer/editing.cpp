@@ -1,10 +1,12 @@
 #include "scenefile/viewer/editing.h"
 
 #include "scenefile/base/text.h"
+#include "scenefile/edit/fix.h"
 #include "scenefile/format/recognize.h"
 #include "scenefile/format/write_scene.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/folder.h"
+#include "scenefile/placement/bounds.h"
 #include "scenefile/viewer/session.h"
 
 #include <fmt/format.h>
@@ -336,7 +338,15 @@ std::optional<std::uint32_t> row_of_selected_item(Session& session) {
 }
 
 Viewpoint viewpoint_of(const Session& session) {
-  return {session.camera.position, session.camera.pivot};
+  Viewpoint view{session.camera.position, session.camera.pivot};
+  const OpenedScene& opened = session.shown->opened;
+  const std::vector<Bounds> boxes = mesh_bounds(opened.ready.scene, opened.assets);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (!boxes[i].empty()) {
+      view.meshes[opened.ready.scene.mesh_files[i].name] = {boxes[i].min, boxes[i].max};
+    }
+  }
+  return view;
 }
 
 void make_edit(Session& session, const Result<Edit>& edit) {
@@ -411,6 +421,20 @@ void cancel_edit(Session& session) {
     session.editing.progress.reset();
   }
   session.grasped.reset();
+}
+
+void correct_text(Session& session) {
+  finish_edit(session);
+  const std::string text = session.editing.text;
+  const FixedText fixed = fix_text(text, session.setup.read);
+  if (fixed.made.empty()) {
+    say(session, "there is nothing to correct with certainty");
+    return;
+  }
+  make_edit(session, change_to(text, fixed.text));
+  const std::size_t made = fixed.made.size();
+  say(session,
+      fmt::format("corrected {} mistake{}; Ctrl+Z takes it back", made, made == 1 ? "" : "s"));
 }
 
 bool undo_edit(Session& session) {

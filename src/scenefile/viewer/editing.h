@@ -102,7 +102,7 @@ std::optional<std::uint32_t> row_of_selected_item(Session& session);
 
 // Edits.
 
-/// From where new objects are seen.
+/// From where new objects are seen, and how large meshes are.
 Viewpoint viewpoint_of(const Session& session);
 /// Makes an edit of edited_document(), or shows the error.
 void make_edit(Session& session, const Result<Edit>& edit);
@@ -121,6 +121,9 @@ Result<Edit> edit_of_field(Session& session, const Document& document, ItemId it
 void finish_edit(Session& session);
 /// Reverts the edit in progress.
 void cancel_edit(Session& session);
+
+/// Corrects what is certain, also in a text with errors: fix_text() as one edit.
+void correct_text(Session& session);
 
 bool undo_edit(Session& session);  ///< false: there is nothing to undo
 bool redo_edit(Session& session);

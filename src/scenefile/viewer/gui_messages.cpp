@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <string_view>
 #include <vector>
 
@@ -92,15 +93,17 @@ void build_heading(const Session& session) {
   const std::string verdict = scene.opened.unreadable.empty()
                                   ? verdict_text(scene.opened.diagnostics, scene_name(session))
                                   : scene.opened.unreadable;
-  if (session.broken == nullptr && scene.opened.diagnostics.list().empty()) {
+  const std::vector<Diagnostic>& found = scene.opened.diagnostics.list();
+  if (session.broken == nullptr && found.empty()) {
     return;
   }
-  if (session.broken == nullptr) {
-    colored(rgba(color_dim), escaped(verdict, 400));
-    return;
+  colored(rgba(session.broken == nullptr ? color_dim : color_error), escaped(verdict, 400));
+  if (std::any_of(found.begin(), found.end(),
+                  [](const Diagnostic& one) { return one.correction.has_value(); })) {
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", "Ctrl+E corrects what is certain");
   }
-  colored(rgba(color_error), escaped(verdict, 400));
-  if (session.shown != nullptr) {
+  if (session.broken != nullptr && session.shown != nullptr) {
     ImGui::SameLine();
     ImGui::TextDisabled(
         "%s", session.shown->opened.path == session.path

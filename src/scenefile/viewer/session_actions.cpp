@@ -96,14 +96,19 @@ void edit_scene(Session& session, Action action) {
       });
       break;
     case Action::enter_group:
+      edit_selection(session, [](const Document& document, ItemId item) -> Result<Edit> {
+        if (const std::optional<ItemId> group = group_to_enter(document, item)) {
+          return move_into(document, item, *group);
+        }
+        const Result<Edit> wrapped = wrap_in_group(document, item);
+        return wrapped ? input_error("no group beside it can take it; Ctrl+G makes one") : wrapped;
+      });
+      break;
     case Action::leave_group:
-      edit_selection(session, [&](const Document& document, ItemId item) -> Result<Edit> {
-        const bool enters = action == Action::enter_group;
-        const std::optional<ItemId> group =
-            enters ? group_to_enter(document, item) : group_outside(document, item);
+      edit_selection(session, [](const Document& document, ItemId item) -> Result<Edit> {
+        const std::optional<ItemId> group = group_outside(document, item);
         return group ? move_into(document, item, *group)
-                     : Result<Edit>(input_error(enters ? "no group is beside it; Ctrl+G makes one"
-                                                       : "it is not in a group"));
+                     : Result<Edit>(input_error("it is not in a group"));
       });
       break;
     case Action::save:
@@ -371,6 +376,9 @@ void perform_on_picture(Session& session, Action action) {
       break;
     case Action::linear_values:
       settings.linear_values = !settings.linear_values;
+      break;
+    case Action::correct:
+      correct_text(session);
       break;
     case Action::reload:
       if (!session.path.empty()) {

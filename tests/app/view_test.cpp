@@ -331,12 +331,12 @@ TEST_F(View, FilesAreChosenFromMenus) {
            keys("Insert Up Up Right Enter") + "settle\n" + keys("Ctrl+S") + "settle\n");
   EXPECT_EQ(run.status, 0) << run.err;
   const std::string text = folder.read("a.xml");
-  EXPECT_THAT(text, HasSubstr(R"(name="cube"><diffuse r="0" g="1" b="0"/><blend v="1"/>)"
-                              R"(<texture file="oak.png" u="1" v="1"/>)"));
+  EXPECT_THAT(text, HasSubstr(R"(name="cube"><diffuse r="0" g="1" b="0"/><texture )"
+                              R"(file="oak.png" u="1" v="1"/><blend v="1"/>)"));
   EXPECT_THAT(text, HasSubstr(R"(name="mesh" filename="meshes/box.obj")"));
-  // The shape in the fields: below two rows of buttons; what follows it is the list.
+  // The shape is below two rows of buttons, and the last one is a mesh.
   const ProgramRun again =
-      tour("settle\nclick 455 299\nframes 4\n" + keys("Enter Down Down Enter Up Right Enter") +
+      tour("settle\nclick 455 299\nframes 4\n" + keys("Enter Down Down Space Up Right Enter") +
            "settle\n" + keys("Ctrl+S") + "settle\n");
   EXPECT_EQ(again.status, 0) << again.err;
   EXPECT_EQ(folder.read("a.xml"),

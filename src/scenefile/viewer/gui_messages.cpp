@@ -98,17 +98,19 @@ void build_heading(const Session& session) {
     return;
   }
   colored(rgba(session.broken == nullptr ? color_dim : color_error), escaped(verdict, 400));
+  std::string aside;
+  if (session.broken != nullptr && session.shown != nullptr) {
+    aside = session.shown->opened.path == session.path
+                ? "the picture is of the last good version"
+                : "the picture still shows " + escaped(shown_name(session), 80);
+  }
   if (std::any_of(found.begin(), found.end(),
                   [](const Diagnostic& one) { return one.correction.has_value(); })) {
-    ImGui::SameLine();
-    ImGui::TextDisabled("%s", "Ctrl+E corrects what is certain");
+    aside += (aside.empty() ? "" : "; ") + std::string("Ctrl+E corrects what is certain");
   }
-  if (session.broken != nullptr && session.shown != nullptr) {
+  if (!aside.empty()) {
     ImGui::SameLine();
-    ImGui::TextDisabled(
-        "%s", session.shown->opened.path == session.path
-                  ? "the picture is of the last good version"
-                  : ("the picture still shows " + escaped(shown_name(session), 80)).c_str());
+    ImGui::TextDisabled("%s", aside.c_str());
   }
 }
 

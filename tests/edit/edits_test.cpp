@@ -549,7 +549,7 @@ TEST(Edits, AMatrixWithARowThatCannotBeReadIsWrittenAnew) {
 TEST(Edits, ALightWithoutValuesGetsATypeWithWhatItNeeds) {
   EXPECT_THAT(after_edit("<scenefile><lightdata/></scenefile>",
                          setting(ItemKind::light, "type", 0, "area")),
-              testing::ContainsRegex("<type v=\"area\"/>.*<width v=.*</lightdata>"));
+              ::testing::ContainsRegex("<type v=\"area\"/>.*<width v=.*</lightdata>"));
 }
 
 TEST(Edits, NothingMovesAnObjectOfATemplate) {

@@ -6,7 +6,8 @@ PATHs are folders and files. Files are also tested with variants, each with one 
 duplicated, renamed, moved or changed. Without PATHs: the folder in the environment variable
 SCENEFILE_CORPUS. seen.tsv lists which findings a schema must detect, and why it cannot detect others;
 without_stricter() of each side, what a schema rejects on purpose although the reader accepts it. Only
-verdicts are compared, because messages differ between validators. Uses every installed validator.
+verdicts are compared, because messages differ between validators. Uses every installed validator. scenefile.xsd must
+accept every file that scenefile.rng accepts.
 Exit code 77: skipped, because there is no validator or no corpus.
 """
 
@@ -156,6 +157,12 @@ def main():
             print(f"{validator}: {len(files)} files, {len(variants)} variants, {len(refused)} refused, "
                   f"{len(wrong)} disagreements")
             failed |= bool(wrong)
+        if "xmllint" in validators:
+            accepted = [path for path in codes if path not in refused]
+            for path in (refused_too := side.refused_by_xsd(accepted)):
+                print(f"{variants.get(pathlib.Path(path), path)}: only the XSD refuses it")
+            print(f"XSD: {len(accepted)} files, {len(refused_too)} refused")
+            failed |= bool(refused_too)
     return 1 if failed else 0
 
 

@@ -46,8 +46,8 @@ def answers(program, scenes):
     yield answer(program, [scenes[0], "--pixel", "1,1", "--reference", "no such file.png", "--mine", "a.png"], ())
     for scene in scenes:
         yield compared(program, scene)
-        for way in WAYS:
-            for pixel in PIXELS:
+        for i, way in enumerate(WAYS):
+            for pixel in PIXELS if i < 2 else PIXELS[1:3]:
                 yield answer(program, [scene, "--pixel", pixel, *way])
 
 

@@ -76,10 +76,14 @@ def variants(data, _tried):
 
 def paths_of(value, path=()):
     yield path
-    items = value.items() if isinstance(value, dict) else \
-        enumerate(value) if isinstance(value, list) else ()
-    for key, inner in items:
+    items = list(value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ())
+    # The numbers of a list, and the rows of a matrix, mean the same to a schema: only the first and the last.
+    for key, inner in items[::max(1, len(items) - 1)] if numbers(value) else items:
         yield from paths_of(inner, (*path, key))
+
+
+def numbers(value):
+    return isinstance(value, (int, float)) or isinstance(value, list) and all(map(numbers, value))
 
 
 def get(value, path):
@@ -95,8 +99,9 @@ def without(scene, path):
 
 
 def edits(value):
-    for other in (None, True, "words", "", 0.5, 1e39, -1e39, [], {}, [[]], [1, 2, 3, 4], "cube",
-                  "mesh", "point", "directional", "spot", "area", "root", *LIMITS):
+    limits = LIMITS if numbers(value) else ()
+    words = ("cube", "mesh", "point", "directional", "spot", "area", "root") if isinstance(value, str) else ()
+    for other in (None, True, "words", "", 0.5, 1, 1e39, -1e39, [], {}, [[]], [1, 2, 3, 4], *words, *limits):
         yield f"replaced by {other!r}", lambda _, o=other: copy.deepcopy(o)
     if isinstance(value, dict):
         yield "with an unknown key", lambda v: v | {"thingummy": 1}

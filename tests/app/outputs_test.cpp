@@ -186,33 +186,36 @@ TEST(OutputsTable, HasEveryOptionThatNamesAFile) {
 
 TEST_F(Outputs, ReplaceNoInput) {
   const bool window = fs::exists(fs::path(SCENEFILE_PROGRAM).parent_path() / "scenefile-window");
+  bool hard = false;
   for (const Writer& writer : writers) {
     if (writer.command == "view" && !window) {
       continue;
     }
-    for (const std::string& input : inputs_of(writer)) {
-      for (const bool hard : {false, true}) {
-        std::string line;
-        for (const std::string& word : writer.words) {
-          line += word + " ";
-        }
-        SCOPED_TRACE(line + "with " + writer.target + " a link to " + input);
-        const std::string before = folder.read(input);
-        const fs::path link = folder.path(writer.target);
-        fs::create_directories(link.parent_path());
-        fs::remove(link);  // of another row
-        hard ? fs::create_hard_link(folder.path(input), link)
-             : fs::create_symlink(folder.path(input), link);
-        const ProgramRun refused = run(writer.words);
-        EXPECT_EQ(refused.status, 2) << refused.err;
-        EXPECT_THAT(
-            refused.err,
-            AllOf(HasSubstr(fs::path(writer.target).filename()), HasSubstr(" would replace the "),
-                  HasSubstr(fs::path(input).filename()), HasSubstr("; choose another name\n")));
-        EXPECT_TRUE(folder.read(input) == before);
-        EXPECT_TRUE(fs::exists(link));
-        fs::remove(link);
+    const std::vector<std::string> inputs = inputs_of(writer);
+    // Each input is linked in both ways, by different options.
+    hard = inputs.size() % 2 == 0 ? !hard : hard;
+    for (const std::string& input : inputs) {
+      hard = !hard;
+      std::string line;
+      for (const std::string& word : writer.words) {
+        line += word + " ";
       }
+      SCOPED_TRACE(line + "with " + writer.target + " a link to " + input);
+      const std::string before = folder.read(input);
+      const fs::path link = folder.path(writer.target);
+      fs::create_directories(link.parent_path());
+      fs::remove(link);  // of another row
+      hard ? fs::create_hard_link(folder.path(input), link)
+           : fs::create_symlink(folder.path(input), link);
+      const ProgramRun refused = run(writer.words);
+      EXPECT_EQ(refused.status, 2) << refused.err;
+      EXPECT_THAT(
+          refused.err,
+          AllOf(HasSubstr(fs::path(writer.target).filename()), HasSubstr(" would replace the "),
+                HasSubstr(fs::path(input).filename()), HasSubstr("; choose another name\n")));
+      EXPECT_TRUE(folder.read(input) == before);
+      EXPECT_TRUE(fs::exists(link));
+      fs::remove(link);
     }
     if (writer.command != "view") {
       const ProgramRun written = run(writer.words);

@@ -1,15 +1,16 @@
 // Runs files through a fuzz target without a fuzzer, so that every build replays known inputs:
 //
-//     scenefile_replay_obj tests/fuzz/seeds/obj tests/fuzz/findings/obj
+//     scenefile_replay_obj 96 tests/fuzz/seeds/obj tests/fuzz/findings/obj
 //
-// Also tests each file truncated and with single bytes damaged, at up to `max_places` places each,
-// and for scenes as many structural mutations.
+// Also tests each file truncated and with single bytes damaged, at up to so many places each, and for
+// scenes as many structural mutations.
 
 #include "structure.h"
 #include "target.h"
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -18,15 +19,13 @@
 
 namespace {
 
-constexpr std::size_t max_places = 96;
-
 void run(const std::string& bytes) {
   // An exact-size copy, so that sanitizers detect reads past the end.
   const std::vector<std::uint8_t> copy(bytes.begin(), bytes.end());
   LLVMFuzzerTestOneInput(copy.data(), copy.size());
 }
 
-void run_damaged(const std::string& bytes) {
+void run_damaged(const std::string& bytes, std::size_t max_places) {
   const std::size_t step = std::max<std::size_t>(1, bytes.size() / max_places);
   for (std::size_t at = 0; at < bytes.size(); at += step) {
     run(bytes.substr(0, at));
@@ -37,7 +36,7 @@ void run_damaged(const std::string& bytes) {
 }
 
 // The same mutations in every build and run.
-void run_restructured(const std::string& bytes) {
+void run_restructured(const std::string& bytes, std::size_t max_places) {
   scenefile::fuzz::Random random(1);
   std::string changed = bytes;
   for (std::size_t i = 0; i < max_places; ++i) {
@@ -68,8 +67,13 @@ std::string contents(const std::filesystem::path& file) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const std::size_t max_places = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 0;
+  if (max_places == 0) {
+    std::fprintf(stderr, "usage: %s PLACES FOLDER...\n", argv[0]);
+    return 2;
+  }
   std::size_t count = 0;
-  for (int i = 1; i < argc; ++i) {
+  for (int i = 2; i < argc; ++i) {
     if (!std::filesystem::is_directory(argv[i])) {
       continue;
     }
@@ -79,9 +83,9 @@ int main(int argc, char** argv) {
       std::fflush(stdout);
       const std::string bytes = contents(file);
       run(bytes);
-      run_damaged(bytes);
+      run_damaged(bytes, max_places);
       if (is_scene(bytes)) {
-        run_restructured(bytes);
+        run_restructured(bytes, max_places);
       }
       ++count;
     }

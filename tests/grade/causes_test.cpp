@@ -1,6 +1,6 @@
 // The student's tracer, which shares no code with the model, makes each mistake on generated
-// scenes. Each must be named on nine of ten scenes, and no mistake may be named for correct
-// pictures.
+// scenes. Each must be named on three of four scenes, and no mistake may be named for correct
+// pictures. `make mistakes` counts the answers for many more pictures.
 
 #include "scenefile/grade/causes.h"
 
@@ -16,11 +16,12 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <tuple>
 
 namespace scenefile::grade_test {
 namespace {
 
-constexpr std::uint32_t scenes = 10;
+constexpr std::uint32_t scenes = 4;
 constexpr int width = 96;
 constexpr int height = 72;
 
@@ -68,7 +69,7 @@ void expect_named_in(Cause cause, const Draw& drawn, bool with_scene = true) {
     named += right ? 1 : 0;
     others += right ? "" : std::to_string(seed) + ": " + said(report) + "\n";
   }
-  EXPECT_GE(named, 9u) << name_of(cause) << "\n" << others;
+  EXPECT_GE(named, scenes - 1) << name_of(cause) << "\n" << others;
 }
 
 void expect_named(Cause cause, const Mistakes& mistakes, const Change& change = {},
@@ -94,7 +95,7 @@ void expect_named_if_changed(Cause cause, const std::function<void(RenderScene&)
 const Mistakes nothing;
 
 TEST(Causes, CorrectPicturesHaveNoCauses) {
-  for (std::uint32_t seed = 1; seed <= 2 * scenes; ++seed) {
+  for (std::uint32_t seed = 1; seed <= 5 * scenes; ++seed) {
     const GeneratedScene scene(seed);
     const SceneView view = view_of(scene);
     for (const bool super_sample : {false, true}) {
@@ -148,6 +149,9 @@ TEST(Causes, FourSamplesAreNotedAndNoMistake) {
     const CauseReport right = find_causes(reference, drawn(view), &view);
     EXPECT_TRUE(right.claims.empty()) << seed << ": " << said(right);
     noted += right.notes.empty() ? 0 : 1;
+    if (seed > 1) {
+      continue;  // the search below takes seconds
+    }
     SceneView without = view;
     without.options.features.shadows = false;
     without.options.features.texture = false;
@@ -370,7 +374,7 @@ TEST(Causes, OneOfSeveralLightsIsLeftOut) {
 }
 
 TEST(Causes, ASolidAreaIsNotAcne) {
-  for (std::uint32_t seed = 1; seed <= 4; ++seed) {
+  for (const std::uint32_t seed : {1u, 2u}) {
     const GeneratedScene scene(seed);
     const SceneView view = view_of(scene);
     const Texture painted = filled([](int x, int y) {
@@ -459,7 +463,7 @@ TEST(Causes, Shapes) {
   std::size_t named = 0;
   for (const char* mistake : {"shape-square-caps", "shape-endless-cylinders", "shape-double-cones",
                               "shape-cube-normals-positive", "shape-some-missing"}) {
-    for (std::uint32_t seed = 1; seed <= 4; ++seed) {
+    for (const std::uint32_t seed : {1u, 2u}) {
       const GeneratedScene scene(seed);
       const SceneView view = view_of(scene);
       const CauseReport report =
@@ -472,8 +476,8 @@ TEST(Causes, Shapes) {
       }
     }
   }
-  EXPECT_GE(visible, 6u);
-  EXPECT_GE(10 * named, 9 * visible);
+  EXPECT_GE(visible, 3u);
+  EXPECT_EQ(named, visible);
 }
 
 TEST(Causes, FormsOfTheSameMistakes) {
@@ -525,23 +529,19 @@ TEST(Causes, FormsOfTheSameMistakes) {
 
 // Known mistakes come near to these, but leave more than rounding.
 TEST(Causes, FunctionsOnNoList) {
-  std::string others;
-  for (const std::uint32_t seed : {1u, 4u}) {
+  for (const auto& [mistake, cause, seed] :
+       {std::tuple("attenuation-root", Cause::attenuation, 1u),
+        std::tuple("attenuation-exponential", Cause::attenuation, 4u),
+        std::tuple("attenuation-late", Cause::attenuation, 1u),
+        std::tuple("spot-cosine-cubed", Cause::spot_falloff, 4u)}) {
     const GeneratedScene scene(seed);
     const SceneView view = view_of(scene);
-    const Texture reference = reference_of(scene, false);
-    for (const auto& [mistake, cause] : {std::pair("attenuation-root", Cause::attenuation),
-                                         std::pair("attenuation-exponential", Cause::attenuation),
-                                         std::pair("attenuation-late", Cause::attenuation),
-                                         std::pair("spot-cosine-cubed", Cause::spot_falloff)}) {
-      const CauseReport report = find_causes(reference, scene.drawn_by_student({mistake}), &view);
-      if (report.share_different > 0.01 &&
-          !(report.claims.size() == 1 && report.claims.front().cause == cause)) {
-        others += mistake + (" " + std::to_string(seed)) + ": " + said(report) + "\n";
-      }
-    }
+    const CauseReport report =
+        find_causes(reference_of(scene, false), scene.drawn_by_student({mistake}), &view);
+    EXPECT_GT(report.share_different, 0.01) << mistake;
+    ASSERT_EQ(report.claims.size(), 1u) << mistake << said(report);
+    EXPECT_EQ(report.claims.front().cause, cause) << mistake << said(report);
   }
-  EXPECT_EQ(others, "");
 }
 
 TEST(Causes, SaysWhatPixelsWithoutAKnownMistakeHaveInCommon) {
@@ -684,7 +684,7 @@ TEST(Causes, ACurveTogetherWithAnotherMistake) {
   const Change lifted = each_value([](const std::uint8_t* pixel, int channel) {
     return static_cast<int>(std::lround(0.8 * pixel[channel] + 26));
   });
-  expect_right(3, {{"camera-full-angle"}}, {1, 2, 3, 4}, lifted, [](const CauseReport& report) {
+  expect_right(2, {{"camera-full-angle"}}, {1, 2}, lifted, [](const CauseReport& report) {
     return report.claims.size() == 2 &&
            all_named(report) == std::set{Cause::camera, Cause::brightness};
   });
@@ -692,7 +692,7 @@ TEST(Causes, ACurveTogetherWithAnotherMistake) {
 
 TEST(Causes, AMovedCameraInATurnedPicture) {
   expect_right(
-      3, {{"camera-full-angle"}}, {1, 2, 3, 4}, turned(false, true), [](const CauseReport& report) {
+      2, {{"camera-full-angle"}}, {1, 2}, turned(false, true), [](const CauseReport& report) {
         return report.claims.size() == 2 && all_named(report).contains(Cause::vertical_flip) &&
                all_named(report).contains(Cause::camera);
       });
@@ -704,13 +704,13 @@ TEST(Causes, ASubpixelShiftBesideAnotherMistake) {
                               "specular-missing", "diffuse-twice"}) {
     mistakes.push_back({mistake, "camera-corners"});
   }
-  expect_right(8, mistakes, {1, 3}, unchanged, [](const CauseReport& report) {
+  expect_right(4, mistakes, {1}, unchanged, [](const CauseReport& report) {
     return report.claims.size() == 2 && all_named(report).contains(Cause::half_pixel_shift);
   });
 }
 
 TEST(Causes, ABackgroundInATurnedPicture) {
-  expect_right(4, {{"output-background"}}, {1, 2, 3, 4}, turned(false, true),
+  expect_right(2, {{"output-background"}}, {1, 2}, turned(false, true),
                [](const CauseReport& report) {
                  return all_named(report) == std::set{Cause::vertical_flip, Cause::background};
                });
@@ -722,8 +722,8 @@ TEST(Causes, AFactorOfThePictureBesideAnotherMistake) {
       return static_cast<int>(std::min(255.0, factor * pixel[channel]));
     });
     expect_right(
-        6, {{"shadow-none"}, {"normal-of-object"}, {"mirror-missing"}, {"texture-swapped"}}, {1, 2},
-        darker, [factor](const CauseReport& report) {
+        3, {{"shadow-none"}, {"normal-of-object"}, {"mirror-missing"}, {"texture-swapped"}},
+        {factor < 1 ? 1u : 2u}, darker, [factor](const CauseReport& report) {
           const std::string number = factor < 1 ? "0.70" : "1.50";
           return report.claims.size() == 2 && all_named(report).contains(Cause::brightness) &&
                  said(report).find("is " + number + " times") != std::string::npos;
@@ -732,7 +732,7 @@ TEST(Causes, AFactorOfThePictureBesideAnotherMistake) {
 }
 
 TEST(Causes, BlurBesideAnotherMistake) {
-  expect_right(2, {{"shadow-none", "output-blurred"}, {"ambient-twice", "output-blurred"}}, {1, 3},
+  expect_right(2, {{"shadow-none", "output-blurred"}, {"ambient-twice", "output-blurred"}}, {1},
                unchanged, [](const CauseReport& report) {
                  return report.claims.size() == 2 && all_named(report).contains(Cause::samples);
                });
@@ -740,18 +740,18 @@ TEST(Causes, BlurBesideAnotherMistake) {
 
 TEST(Causes, MissedSamplesBesideAnotherMistake) {
   expect_right(
-      3, {{"specular-missing", "output-misses-black"}, {"shadow-none", "output-misses-black"}},
-      {1, 3}, unchanged, [](const CauseReport& report) {
+      2, {{"specular-missing", "output-misses-black"}, {"shadow-none", "output-misses-black"}}, {1},
+      unchanged, [](const CauseReport& report) {
         return report.claims.size() == 2 && all_named(report).contains(Cause::samples);
       });
 }
 
 TEST(Causes, AcneBesideAnotherMistake) {
-  expect_right(5,
+  expect_right(3,
                {{"camera-aspect-ignored", "shadow-acne"},
                 {"texture-swapped", "shadow-acne"},
                 {"texture-swapped", "mirror-acne"}},
-               {1, 3}, unchanged, [](const CauseReport& report) {
+               {3}, unchanged, [](const CauseReport& report) {
                  return report.claims.size() == 2 && all_named(report).contains(Cause::acne);
                });
 }
@@ -771,24 +771,24 @@ TEST(Causes, AMistakeInPicturesStoredByColumns) {
 }
 
 TEST(Causes, AnotherFunctionBesideAnotherMistake) {
-  expect_right(3,
+  expect_right(2,
                {{"attenuation-exponential", "texture-swapped"},
                 {"attenuation-exponential", "camera-full-angle"}},
-               {1, 2}, unchanged, [](const CauseReport& report) {
+               {1}, unchanged, [](const CauseReport& report) {
                  return report.claims.size() == 2 && all_named(report).contains(Cause::attenuation);
                });
 }
 
 TEST(Causes, AddedSamplesBesideAnotherMistake) {
-  expect_right(3,
+  expect_right(2,
                {{"output-average-side", "shadow-none"}, {"output-average-side", "mirror-missing"}},
-               {1, 3}, unchanged, [](const CauseReport& report) {
+               {1}, unchanged, [](const CauseReport& report) {
                  return report.claims.size() == 2 && all_named(report).contains(Cause::brightness);
                });
 }
 
 TEST(Causes, ASmallMistakeBesideALargeOne) {
-  expect_right(3, {{"output-gamma", "texture-missing-on-caps"}}, {1, 2, 3, 4}, unchanged,
+  expect_right(2, {{"output-gamma", "texture-missing-on-caps"}}, {1, 2}, unchanged,
                [](const CauseReport& report) {
                  return report.claims.size() == 2 && all_named(report).contains(Cause::texture);
                });
@@ -827,43 +827,37 @@ TEST(Causes, OneEditedValueOfTheScene) {
        }},
       {"the pos of the camera", [](Scene& s) { s.camera->position += glm::vec3(0.2f, 0.15f, 0); }},
       {"the look of the camera", [](Scene& s) { s.camera->look += glm::vec3(0.05f, 0.03f, 0); }}};
-  constexpr std::uint32_t edited_scenes = 2;
+  std::uint32_t seed = 0;
   for (const Edit& edit : edits) {
-    std::uint32_t named = 0;
-    std::string others;
-    for (std::uint32_t seed = 1; seed <= edited_scenes; ++seed) {
-      const GeneratedScene scene(seed);
-      Scene written = scene.written();
-      for (Node& node : written.nodes) {
-        // As people write it.
-        if (!node.transforms.empty()) {
-          node.transforms.insert(node.transforms.begin(), {Translate(), {}});
-        }
+    seed = seed % 2 + 1;
+    const GeneratedScene scene(seed);
+    Scene written = scene.written();
+    for (Node& node : written.nodes) {
+      // As people write it.
+      if (!node.transforms.empty()) {
+        node.transforms.insert(node.transforms.begin(), {Translate(), {}});
       }
-      written.camera->location = {7, 1};
-      const RenderScene ready = prepare(written, Limits()).scene;
-      RenderOptions options = view_of(scene).options;
-      const SceneView view{&ready, &scene.builder.assets, options, &written, {}};
-      const auto drawn = [&](const Scene& by_student) {
-        student::Job job;
-        job.width = width;
-        job.height = height;
-        const std::string name = "ramp.png";
-        return student::draw(by_student, scene.builder.assets, {&name, 1}, job);
-      };
-      Scene changed = written;
-      edit.change(changed);
-      const CauseReport report = find_causes(drawn(written), drawn(changed), &view);
-      for (const Claim& claim : report.claims) {
-        const bool right =
-            claim.what.find(edit.name) != std::string::npos ||
-            (*edit.old_name != 0 && claim.what.find(edit.old_name) != std::string::npos);
-        EXPECT_TRUE(right) << edit.name << ", " << seed << ": " << said(report);
-        named += right ? 1 : 0;
-      }
-      others += std::to_string(seed) + ": " + said(report) + "\n";
     }
-    EXPECT_EQ(named, edited_scenes) << edit.name << "\n" << others;
+    written.camera->location = {7, 1};
+    const RenderScene ready = prepare(written, Limits()).scene;
+    RenderOptions options = view_of(scene).options;
+    const SceneView view{&ready, &scene.builder.assets, options, &written, {}};
+    const auto drawn = [&](const Scene& by_student) {
+      student::Job job;
+      job.width = width;
+      job.height = height;
+      const std::string name = "ramp.png";
+      return student::draw(by_student, scene.builder.assets, {&name, 1}, job);
+    };
+    Scene changed = written;
+    edit.change(changed);
+    const CauseReport report = find_causes(drawn(written), drawn(changed), &view);
+    EXPECT_EQ(report.claims.size(), 1u) << edit.name << ": " << said(report);
+    for (const Claim& claim : report.claims) {
+      EXPECT_TRUE(claim.what.find(edit.name) != std::string::npos ||
+                  (*edit.old_name != 0 && claim.what.find(edit.old_name) != std::string::npos))
+          << edit.name << ": " << said(report);
+    }
   }
 }
 

@@ -41,7 +41,7 @@ struct Judge : ::testing::Test {
       PathTruth drawn;
       RenderOptions other = test.options;
       other.seed = 99;
-      EXPECT_EQ(draw_truth(test.traced, test.room.scene, other, 0, 48, {}, drawn),
+      EXPECT_EQ(draw_truth(test.traced, test.room.scene, other, 0, 24, {}, drawn),
                 RenderStatus::complete);
       return drawn;
     }();

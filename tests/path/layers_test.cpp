@@ -151,10 +151,10 @@ Room textured_room() {
 TEST(PathDenoise, IsNearerToTheTruthThanTheNoisyPicture) {
   for (const bool textured : {false, true}) {
     const Room room = textured ? textured_room() : full_room(true, false);
-    const Image truth = draw(room, path_options(40, 30, 1024)).image;
+    const Image truth = draw(room, path_options(32, 24, 400)).image;
     for (const int samples : {4, 16, 64}) {
       SCOPED_TRACE(std::to_string(samples) + (textured ? ", textured" : ", full"));
-      RenderOptions options = path_options(40, 30, samples);
+      RenderOptions options = path_options(32, 24, samples);
       const double noisy = relative_error(draw(room, options).image, truth);
       options.denoise = true;
       const double denoised = relative_error(draw(room, options).image, truth);

@@ -188,14 +188,14 @@ TEST(PathLight, AllWaysOfSamplingAgree) {
   for (const FaceMaterial& block : {both, mirror(glm::vec3(0.9f)), glass(1.5f)}) {
     SCOPED_TRACE(block.illum);
     const Room room = cornell(block);
-    RenderOptions options = path_options(8, 8, 1024);
+    RenderOptions options = path_options(8, 8, 512);
     const Estimate mis = estimate(room, options);
     options.mis = false;
     options.seed = 1;
     const Estimate lights = estimate(room, options);
     options.mis = true;
     options.light_samples = 0;
-    options.samples = 4096;
+    options.samples = 2048;
     options.seed = 2;
     const Estimate surfaces = estimate(room, options);
     expect_same_means(mis, lights, 6);

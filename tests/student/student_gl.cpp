@@ -1,5 +1,7 @@
 #include "student/student_gl.h"
 
+#include "student/made_mistakes.h"
+
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
@@ -121,6 +123,8 @@ constexpr KnownMistake mistakes[] = {
     {"strange-rim-light", "strange", ""},
 };
 
+using Made = MadeMistakes<mistakes>;
+
 struct Vertex {
   vec3 position;
   vec3 normal;
@@ -137,7 +141,8 @@ struct Varying {
 
 class Program {
  public:
-  Program(const RenderScene& scene, const RealtimeJob& job) : scene_(scene), job_(job) {
+  Program(const RenderScene& scene, const RealtimeJob& job)
+      : scene_(scene), job_(job), made_(job.mistakes) {
     window_width_ = int(std::lround(job.width * 1092.0 / 1024));
     window_height_ = int(std::lround(job.height * 818.0 / 768));
     frame_width_ = job.action ? window_width_ : job.width;
@@ -168,7 +173,7 @@ class Program {
   }
 
  private:
-  bool is(const char* mistake) const { return job_.mistakes.contains(mistake); }
+  bool is(Made::Place mistake) const { return made_.contains(mistake); }
 
   // ---- tessellation --------------------------------------------------------------------------
 
@@ -772,6 +777,7 @@ class Program {
 
   const RenderScene& scene_;
   const RealtimeJob& job_;
+  Made made_;
   int wedges_ = 5;
   int window_width_ = 0;
   int window_height_ = 0;

@@ -1,5 +1,7 @@
 #include "student/student_tracer.h"
 
+#include "student/made_mistakes.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -381,6 +383,8 @@ constexpr KnownMistake table[] = {
     {"output-channels-turned", "output", "swapped-channels"},
 };
 
+using Made = MadeMistakes<table>;
+
 struct Object {
   mat4 matrix{1};
   mat4 inverse{1};
@@ -406,7 +410,7 @@ class Tracer {
  public:
   Tracer(const Scene& scene, const Assets& assets, std::span<const std::string> names,
          const Job& job)
-      : scene_(scene), assets_(assets), names_(names), job_(job) {
+      : scene_(scene), assets_(assets), names_(names), job_(job), made_(job.mistakes) {
     mat4 start(1);
     visit(scene.root, start);
     if (has("scene-moved-object") && !objects_.empty()) {
@@ -615,7 +619,7 @@ class Tracer {
     return color;
   }
 
-  bool has(std::string_view name) const { return job_.mistakes.contains(name); }
+  bool has(Made::Place mistake) const { return made_.contains(mistake); }
 
   void store(std::uint8_t* to, vec3 color) const {
     if (has("output-bgr")) {
@@ -718,8 +722,13 @@ class Tracer {
 
   // The transforms in an order of their kinds, whatever the order of the file is.
   std::vector<Transform> in_order(std::vector<Transform> transforms) const {
-    for (const std::string_view order : {"tsr", "srt", "str", "rts", "rst"}) {
-      if (has("transform-order-" + std::string(order))) {
+    for (const auto& [mistake, order] :
+         {std::pair(Made::Place("transform-order-tsr"), std::string_view("tsr")),
+          std::pair(Made::Place("transform-order-srt"), std::string_view("srt")),
+          std::pair(Made::Place("transform-order-str"), std::string_view("str")),
+          std::pair(Made::Place("transform-order-rts"), std::string_view("rts")),
+          std::pair(Made::Place("transform-order-rst"), std::string_view("rst"))}) {
+      if (has(mistake)) {
         const auto place = [&](const Transform& t) {
           return std::holds_alternative<Translate>(t.map) ? order.find('t')
                  : std::holds_alternative<Scale>(t.map)   ? order.find('s')
@@ -1652,6 +1661,7 @@ class Tracer {
   const Assets& assets_;
   std::span<const std::string> names_;
   const Job& job_;
+  Made made_;
   std::vector<Object> objects_;
   std::vector<Lamp> lamps_;
   vec3 eye_{0}, u_{0}, v_{0}, w_{0};

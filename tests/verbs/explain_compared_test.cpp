@@ -63,14 +63,13 @@ struct Explained {
 Explained explained(const Homework& h, const Texture& mine, std::optional<glm::ivec2> pixel = {}) {
   CompareSettings settings;
   settings.ways = possible_ways(std::array{course_options()}, false);
+  if (!pixel) {
+    const PictureComparison shown = compare_pictures(h.right, mine, nullptr, settings);
+    EXPECT_TRUE(shown.where);
+    pixel = shown.where ? glm::ivec2(shown.where->region.x, shown.where->region.y) : glm::ivec2(0);
+  }
   settings.asked = pixel;
   PictureComparison found = compare_pictures(h.right, mine, &h.scene, settings);
-  if (!pixel) {
-    EXPECT_TRUE(found.where);
-    return explained(
-        h, mine,
-        found.where ? glm::ivec2(found.where->region.x, found.where->region.y) : glm::ivec2(0));
-  }
   EXPECT_TRUE(found.asked);
   if (!found.asked) {
     return {};

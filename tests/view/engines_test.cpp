@@ -37,7 +37,7 @@ class BothEngines : public Drawn {
   void expect_file_alike(const std::string& path, const std::string& name) {
     const testing_support::LoadedScene scene = testing_support::load_scene(path, false);
     ASSERT_EQ(scene.error, "");
-    const Agreement agreement = two_engines(*device, scene, 640, 480);
+    const Agreement agreement = two_engines(*device, scene, 320, 240);
     ASSERT_EQ(agreement.error, "");
     EXPECT_GE(agreement.whole_db, 32) << name;
     EXPECT_GE(agreement.inside_db, 40) << name;

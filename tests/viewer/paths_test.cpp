@@ -106,7 +106,7 @@ TEST_F(PathsTest, TheLastPictureIsThatOfRender) {
 
 TEST_F(PathsTest, EachPictureIsThatOfRender) {
   session.setup.paths.samples = 40;
-  session.pixels = {160, 120};
+  session.pixels = {80, 60};
   open(box_text);
   int seen = 0;
   ASSERT_TRUE(until([&] {

@@ -191,14 +191,14 @@ TEST_F(PathScene, ConvertsWithItsFiles) {
 // A room corner with a lamp that faces it.
 TEST_F(PathScene, PicturesAreJudgedWithinTheirNoise) {
   const std::string path = scene();
-  const Words size{"--size", "96x96", "--samples", "128"};
+  const Words size{"--size", "64x64", "--samples", "128"};
   const std::string mine = folder.path("mine.pfm");
   ASSERT_EQ(run_program(Words{"render", path, "-o", mine, "--seed", "3", "-q"} + size).status, 0);
-  const ProgramRun right = run_program({"diff", mine, "--scene", path, "--time", "1"});
+  const ProgramRun right = run_program({"diff", mine, "--scene", path, "--time", "0.5"});
   EXPECT_EQ(right.status, 0) << right.out << right.err;
   EXPECT_THAT(right.out, HasSubstr("right within its noise\n"));
   const ProgramRun both =
-      run_program({"diff", mine, mine, "--scene", path, "--time", "1", "--energy",
+      run_program({"diff", mine, mine, "--scene", path, "--time", "0.5", "--energy",
                    folder.path("light.svg"), "--sheet", folder.path("sheet.png"), "--json"});
   EXPECT_EQ(both.status, 0) << both.err;
   EXPECT_THAT(both.out, HasSubstr("\"reference_path\": {"));
@@ -208,11 +208,11 @@ TEST_F(PathScene, PicturesAreJudgedWithinTheirNoise) {
   ASSERT_EQ(
       run_program(Words{"render", path, "-o", other, "--convention", "course", "-q"} + size).status,
       0);
-  const ProgramRun wrong = run_program({"diff", other, "--scene", path, "--time", "1"});
+  const ProgramRun wrong = run_program({"diff", other, "--scene", path, "--time", "0.5"});
   EXPECT_EQ(wrong.status, 1) << wrong.out;
-  EXPECT_EQ(
-      run_program({"diff", other, "--scene", path, "--time", "1", "--convention", "course"}).status,
-      0);
+  EXPECT_EQ(run_program({"diff", other, "--scene", path, "--time", "0.5", "--convention", "course"})
+                .status,
+            0);
 }
 
 TEST_F(PathScene, PicturesWithoutReferenceNeedTheScene) {

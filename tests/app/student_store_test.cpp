@@ -22,7 +22,7 @@ struct StudentStore : ::testing::Test {
   StudentStore() {
     // Its cause is found at once; for a picture without a known cause the search takes seconds.
     std::string bright = good_scene;
-    bright.replace(bright.find("<diffusecoeff v=\"0.5\""), 22, "<diffusecoeff v=\"1\"");
+    bright.replace(bright.find("<diffusecoeff v=\"0.5\""), 21, "<diffusecoeff v=\"1\"");
     render(good_scene, "right.png");
     render(bright, "wrong.png");
     folder.make("refs");

@@ -2,8 +2,8 @@
 //
 //     scenefile_replay_obj 96 tests/fuzz/seeds/obj tests/fuzz/findings/obj
 //
-// Also tests each file truncated and with single bytes damaged, at up to so many places each, and for
-// scenes as many structural mutations.
+// Also tests each file truncated and with single bytes damaged, at up to so many places each, and
+// for scenes as many structural mutations.
 
 #include "structure.h"
 #include "target.h"

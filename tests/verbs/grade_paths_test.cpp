@@ -102,7 +102,7 @@ class GradePaths : public testing::Test {
   // A picture as a student hands it in.
   void hand_in(const std::string& name, bool direct_only, double factor = 1) const {
     RenderOptions drawn = options();
-    drawn.samples = 256;
+    drawn.samples = 100;
     drawn.seed = 7;
     drawn.direct_only = direct_only;
     PathResult result = render_path(scene_.ready.scene, scene_.assets, drawn);

@@ -1,6 +1,7 @@
 #pragma once
 // Acceleration structures for objects and triangles: Embree's (embree_scenes.cpp) or our own
-// (bvh_scenes.cpp), depending on the build. Both give the same hits.
+// (bvh_scenes.cpp), depending on the build. Both give the same hits, except where a ray passes the
+// edge of a triangle within rounding (decision 21).
 //
 // Each kept group is a scene whose primitives are its objects: analytic shapes, meshes, and
 // instances of other groups. Each mesh is a scene too. They only find candidates; search.h decides.

@@ -1114,7 +1114,7 @@ Result<Edit> set_values(const Document& document, ItemId item, const FieldView& 
   }
   return Editor(document).set(
       item, field, values,
-      typed.size() > values.size() ? *typed.back() : std::string(mesh_field.start));
+      typed.size() > values.size() && typed.back() ? *typed.back() : std::string(mesh_field.start));
 }
 
 Result<Edit> set_value(const Document& document, ItemId item, const FieldView& field,

@@ -70,6 +70,15 @@ TEST_F(PathExport, AMeshForEachMaterial) {
   EXPECT_TRUE(diagnostics.list().empty());
 }
 
+TEST_F(PathExport, AnObjectWhoseTextureIsMissingKeepsItsColor) {
+  RenderMaterial& own = scene.scene.materials[0];
+  own.texture = {0, 1, 1};
+  own.blend = 1;
+  scene.assets.textures.emplace_back();
+  use();
+  EXPECT_EQ(scene.scene.materials[0].diffuse, glm::vec3(0.4f));
+}
+
 TEST_F(PathExport, ObjHasTheFaceMaterials) {
   scene.assets.mesh_materials[0].materials[1].illum = 5;
   use();

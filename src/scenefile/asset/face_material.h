@@ -15,6 +15,10 @@ namespace scenefile {
 /// "No texture", for the maps of a FaceMaterial.
 inline constexpr std::uint32_t no_map = 0xffffffffu;
 
+/// Values of FaceMaterial::illum: a perfect mirror, and glass with Fresnel's reflection.
+inline constexpr int illum_mirror = 5;
+inline constexpr int illum_glass = 7;
+
 /// A material of faces. Colors are linear, as written, finite and not negative; they may exceed 1.
 /// The defaults are those of the course's reader. Maps are indices into Assets::textures, or
 /// no_map; the textures multiply the color and may be empty() if they could not be used.
@@ -26,7 +30,7 @@ struct FaceMaterial {
   glm::vec3 transmission{0};  ///< Tf or Kt
   float shininess = 1;        ///< Ns, not negative
   float ior = 1;              ///< Ni, greater than 0
-  int illum = 0;              ///< as written: 5 is a mirror, 7 is refraction with Fresnel
+  int illum = 0;              ///< as written
   std::uint32_t diffuse_map = no_map;
   std::uint32_t specular_map = no_map;
   std::uint32_t emission_map = no_map;

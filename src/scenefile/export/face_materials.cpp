@@ -15,10 +15,6 @@ namespace scenefile {
 
 namespace {
 
-// Of the .mtl format: a perfect mirror, and glass with Fresnel's reflection.
-constexpr int illum_mirror = 5;
-constexpr int illum_glass = 7;
-
 // A list of a mesh with only what some of its triangles use, whose indices count from 0 anew.
 template <typename Value>
 class Compacted {
@@ -98,12 +94,14 @@ RenderMaterial material_of(const FaceMaterial& face, bool maps, Diagnostics& dia
 }
 
 // Of the scene's own materials, as path tracing uses them.
-void multiply_coefficients(RenderScene& scene, float transparent) {
+void multiply_coefficients(RenderScene& scene, const Assets& assets, float transparent) {
   RenderGlobal& global = scene.global;
   for (RenderMaterial& material : scene.materials) {
     material.ambient = glm::vec3(0);
     // Of a texture of blend 1 the object's own color shows nothing.
-    const bool covered = material.texture.used() && material.blend == 1;
+    const std::uint32_t file = material.texture.file;
+    const bool covered =
+        material.blend == 1 && file < assets.textures.size() && !assets.textures[file].empty();
     material.diffuse = covered ? glm::vec3(1) : global.diffuse * material.diffuse;
     material.specular *= global.specular;
     material.reflective *= global.specular;
@@ -125,7 +123,7 @@ struct MeshPart {
 
 void use_face_materials(RenderScene& scene, Assets& assets, float transparent, bool maps,
                         Diagnostics& diagnostics) {
-  multiply_coefficients(scene, transparent);
+  multiply_coefficients(scene, assets, transparent);
   std::vector<std::vector<MeshPart>> parts(assets.meshes.size());
   for (std::uint32_t m = 0; m < assets.mesh_materials.size(); ++m) {
     const MeshMaterials& faces = assets.mesh_materials[m];

@@ -11,9 +11,9 @@ namespace scenefile {
 /// written with the option `path`: each mesh with face materials becomes one mesh for each of them;
 /// coefficients become 1, multiplied into the materials; `ambient` is what a surface emits, and
 /// `specular` the share of light that its glossy lobe reflects; a texture of blend 1 multiplies
-/// `diffuse`. `transparent`: the coefficient to
-/// use if the scene gives none. `maps`: use the textures of face materials. What a material cannot
-/// express is reported once. Codes: export/codes.h.
+/// `diffuse`. `transparent`: the coefficient to use if the scene gives none. `maps`: use the
+/// textures of face materials. What a material cannot express is reported once. Codes:
+/// export/codes.h.
 void use_face_materials(RenderScene& scene, Assets& assets, float transparent, bool maps,
                         Diagnostics& diagnostics);
 

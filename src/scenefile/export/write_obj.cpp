@@ -203,7 +203,9 @@ class ObjWriter {
   }
 
   // Path tracers of the course know a mirror and glass with Fresnel's reflection.
-  static int path_illumination(int illum) { return illum >= 6 ? 7 : illum == 3 ? 5 : illum; }
+  static int path_illumination(int illum) {
+    return illum >= 6 ? illum_glass : illum == 3 ? illum_mirror : illum;
+  }
 
   const RenderScene& scene_;
   const ObjOptions& options_;

@@ -12,9 +12,6 @@ namespace scenefile {
 
 namespace {
 
-constexpr int illum_mirror = 5;
-constexpr int illum_glass = 7;
-
 // The scene's surfaces, lights and textures are those of mode ray.
 RenderOptions as_rays(RenderOptions options) {
   options.mode = Mode::ray;

@@ -241,8 +241,12 @@ web-test: web ## build the page and the package, and test them; CORPUS=DIR: also
 	  $(BUILD)/scenefile "node build/wasm/package/bin/scenefile.js" "$(CORPUS)"; }
 
 .PHONY: ci-full
-ci-full: ## all checks, including slow ones: .ci/run, clang-tidy, Debian 13, Blender, sanitizers, failing calls, killed renders, parts, Slurm, coverage, fuzzing, the page
+ci-full: ## all checks, including slow ones: .ci/run, clang-tidy, Debian 13, Blender, sanitizers, failing calls, killed renders, parts, Slurm, coverage, fuzzing, a release
 	@.ci/full
+
+.PHONY: release-check
+release-check: ## what must work before a release: both Debians, packages, wheel, npm, browsers, documentation, checksums
+	@.ci/release
 
 .PHONY: portable
 portable: ## build all rooms but the window and the program with clang 14 and libc++, as for WebAssembly

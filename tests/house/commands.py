@@ -10,7 +10,6 @@ NOT_RUN = {
     "format": "changes the sources; format-check runs",
     "screenshots": "replaces pictures of the documentation, which someone has to look at",
     "web-serve": "runs until it is stopped; web-test uses the same server",
-    "container": "needs docker or podman; the workflow of releases runs it",
     "ci-full": "runs .ci/full",
 }
 
@@ -18,7 +17,7 @@ makefile = (ROOT / "Makefile").read_text()
 helped = [name for names in re.findall(r"^([a-z -]+):.*## ", makefile, flags=re.M) for name in names.split()]
 needs = {name: before.split() for name, before in re.findall(r"^([a-z-]+):([a-z -]*)(?:##|$)", makefile, flags=re.M)}
 run = set()
-for script in (".ci/run", ".ci/full", "scripts/bare-machine"):
+for script in (".ci/run", ".ci/full", ".ci/release", "scripts/bare-machine"):
     lines = [line for line in (ROOT / script).read_text().splitlines() if not line.lstrip().startswith("#")]
     run |= set(re.findall(r"\bmake ([a-z][a-z-]*)", "\n".join(lines)))
 waiting = list(run)

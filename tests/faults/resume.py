@@ -9,6 +9,7 @@ picture must be the same.
 """
 import argparse
 import os
+import pathlib
 import random
 import shutil
 import signal
@@ -49,8 +50,12 @@ def cut_short(folder, seconds, number):
 
 
 def read(path):
-    with open(path, "rb") as file:
-        return file.read()
+    """None if there is no such file."""
+    try:
+        with open(path, "rb") as file:
+            return file.read()
+    except FileNotFoundError:
+        return None
 
 
 def write(path, data):
@@ -79,7 +84,7 @@ with tempfile.TemporaryDirectory() as folder:
         for name in os.listdir(folder) + os.listdir(store):
             if name not in ("good.png", "out.png", "store") and not name.endswith((".tmp", ".exr")):
                 failures.append("left %s" % name)
-        os.unlink(target)
+        pathlib.Path(target).unlink(missing_ok=True)
         shutil.rmtree(store)
 
     start(folder, "out.png").wait()
@@ -93,7 +98,7 @@ with tempfile.TemporaryDirectory() as folder:
         else:
             del damaged[at:]
         write(band, damaged)
-        os.unlink(target)
+        pathlib.Path(target).unlink(missing_ok=True)
         process = start(folder, "out.png")
         said = process.communicate()[1]
         if process.returncode != 0 or read(target) != good or read(band) != whole:

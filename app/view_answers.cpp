@@ -1,6 +1,8 @@
 #include "app/view_answers.h"
 
+#include "app/diff_paths.h"
 #include "app/load_picture.h"
+#include "scenefile/verbs/compare_paths.h"
 #include "scenefile/verbs/compare_pictures.h"
 #include "scenefile/verbs/explain.h"
 #include "scenefile/verbs/render_error.h"
@@ -51,9 +53,30 @@ DrawnWay fitting_way(const viewer::FitQuestion& question, const LoadedScene& sce
   return known ? ways.front() : ways_drawn(question.picture->texture, scene, ways).front();
 }
 
-std::string cause_text(const viewer::CauseQuestion& question, const Options& options,
-                       const std::function<bool()>& go_on) {
+// Against the truth, as `diff`; a reference would have noise of its own.
+viewer::CauseAnswer judge_paths(const viewer::CauseQuestion& question, const LoadedScene& scene,
+                                double seconds, const std::function<bool()>& go_on) {
+  RenderOptions options = question.options;
+  options.width = question.mine->texture.width;
+  options.height = question.mine->texture.height;
+  PathTruth truth;
+  const RenderStatus drawn = draw_truth(
+      scene, options, seconds, [&](double) { return go_on(); }, truth);
+  if (const std::optional<Error> error = render_error(drawn)) {
+    return {error->text + '\n'};
+  }
+  if (drawn == RenderStatus::cancelled) {
+    return {};
+  }
+  return {path_verdict_text(judge_path(truth, *question.mine))};
+}
+
+viewer::CauseAnswer find_cause(const viewer::CauseQuestion& question, const Options& options,
+                               const std::function<bool()>& go_on) {
   const LoadedScene scene = loaded_of(*question.scene);
+  if (!question.realtime && question.options.mode == Mode::path) {
+    return judge_paths(question, scene, seconds_of_truth(options), go_on);
+  }
   DecodedPicture reference;
   DecodedPicture mine = *question.mine;
   CompareSettings settings;
@@ -71,7 +94,7 @@ std::string cause_text(const viewer::CauseQuestion& question, const Options& opt
         render(scene.ready.scene, scene.assets, question.options,
                {.progress = [&](double) { return go_on(); }, .preview = {}});
     if (const std::optional<Error> error = render_error(result.status)) {
-      return error->text + '\n';
+      return {error->text + '\n'};
     }
     reference.texture = quantize(result.image, rounding_of(question.options.profile));
   }
@@ -80,9 +103,9 @@ std::string cause_text(const viewer::CauseQuestion& question, const Options& opt
   const PictureComparison found =
       compare_pictures(reference, mine, &scene, settings, [&](double) { return go_on(); });
   if (found.measures.same_size && !found.other_size() && found.measures.difference.max == 0) {
-    return "equal\n";
+    return {"equal\n"};
   }
-  return causes_text(found) + where_text(found);  // a click explains a pixel
+  return {causes_text(found) + where_text(found), shows_nothing(found)};
 }
 
 }  // namespace
@@ -99,7 +122,7 @@ std::string explain_for_view(const viewer::PixelQuestion& question) {
     if (!report) {
       return report.error().text + '\n';
     }
-    if (question.mine) {
+    if (question.mine && question.suggest) {
       add_yours(scene, *question.mine, *report);
     }
     return explain_text(scene, *report);
@@ -121,12 +144,12 @@ std::optional<viewer::PictureFit> fit_for_view(const viewer::FitQuestion& questi
   }
 }
 
-std::string cause_for_view(const viewer::CauseQuestion& question, const Options& options,
-                           const std::function<bool()>& go_on) {
+viewer::CauseAnswer cause_for_view(const viewer::CauseQuestion& question, const Options& options,
+                                   const std::function<bool()>& go_on) {
   try {
-    return cause_text(question, options, go_on);
+    return find_cause(question, options, go_on);
   } catch (const std::bad_alloc&) {
-    return "there is not enough memory to look for the cause\n";
+    return {"there is not enough memory to look for the cause\n"};
   }
 }
 

@@ -14,11 +14,11 @@ namespace scenefile::app {
 std::optional<viewer::PictureFit> fit_for_view(const viewer::FitQuestion& question,
                                                const Options& options);
 
-/// As `explain` prints it, with the value of --mine.
+/// As `explain` prints it.
 std::string explain_for_view(const viewer::PixelQuestion& question);
 
 /// As `diff --scene` prints it. Without a reference, our picture is drawn and takes its place.
-std::string cause_for_view(const viewer::CauseQuestion& question, const Options& options,
-                           const std::function<bool()>& go_on);
+viewer::CauseAnswer cause_for_view(const viewer::CauseQuestion& question, const Options& options,
+                                   const std::function<bool()>& go_on);
 
 }  // namespace scenefile::app

@@ -381,7 +381,8 @@ TEST_F(View, ExplainsAClickedPixelAndItsCause) {
   EXPECT_THAT(copied, HasSubstr("of 320x240"));
   EXPECT_THAT(copied, HasSubstr("sphere"));
   EXPECT_THAT(copied, HasSubstr("diffuse"));
-  EXPECT_THAT(copied, HasSubstr("yours"));
+  EXPECT_THAT(copied, HasSubstr("mine: mine.png has"));
+  EXPECT_THAT(copied, Not(HasSubstr("yours"))) << "the pictures say more than one pixel";
   // The words of diff for the same two pictures.
   const std::string ours = folder.path("ours.png");
   run_program({"render", path, "--size", "320x240", "-o", ours, "--quiet", "--profile", "course"});
@@ -390,6 +391,22 @@ TEST_F(View, ExplainsAClickedPixelAndItsCause) {
   const std::size_t at = said.find("worst: ");
   ASSERT_NE(at, std::string::npos) << said;
   EXPECT_THAT(copied, HasSubstr(said.substr(at, said.find('\n', at) - at)));
+}
+
+TEST_F(View, JudgesPathTracedPictures) {
+  const std::string mine = folder.path("mine.pfm");
+  ASSERT_EQ(run_program({"render", path, "--size", "64x48", "--mode", "path", "--samples", "64",
+                         "-o", mine, "--quiet"})
+                .status,
+            0);
+  const ProgramRun run =
+      view({path, mine, "--mode", "path", "--time", "1", "--script",
+            folder.write("tour.txt",
+                         "settle\nkey Y\nframes 4\nclick 444 299\nsettle\nkey Ctrl+C\n"
+                         "frames 2\ncopied " +
+                             folder.path("copied.txt") + "\n")});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(folder.read("copied.txt"), HasSubstr("right within its noise"));
 }
 
 // Whether `part` is somewhere in `whole`, bit for bit.

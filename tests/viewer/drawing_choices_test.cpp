@@ -83,10 +83,10 @@ TEST_F(DrawingChoices, TheProjectsOfTheCourse) {
 
 TEST_F(DrawingChoices, ChangesDiscardTheTracedPictureAndTheCause) {
   session.traced = TracedPicture{};
-  session.cause.text = "old";
+  session.cause.answer.text = "old";
   toggle_feature(session, "reflect");
   EXPECT_FALSE(session.traced.has_value());
-  EXPECT_EQ(session.cause.text, "");
+  EXPECT_EQ(session.cause.answer.text, "");
 }
 
 }  // namespace

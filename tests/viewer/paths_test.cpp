@@ -210,7 +210,6 @@ TEST_F(PathsTest, AClickExplainsTheSamplesOfThePicture) {
   EXPECT_EQ(asked.options.samples, 6);
   EXPECT_EQ(asked.options.width, 48);
   EXPECT_THAT(readout_text(session), HasSubstr("paths"));
-  EXPECT_THAT(cause_text(session), HasSubstr("mode path"));
 }
 
 TEST_F(PathsTest, TheModeIsAChoice) {

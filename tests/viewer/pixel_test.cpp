@@ -32,9 +32,10 @@ struct PixelTest : ::testing::Test {
     session.setup.explain_pixel = [this](const PixelQuestion& question) {
       ++explained;
       const glm::dvec3 eye = question.drawn.camera.position;
-      return fmt::format("terms of {},{} from z {:.3f}, {} lights, beside {}{}", question.pixel.x,
+      return fmt::format("terms of {},{} from z {:.3f}, {} lights, beside {}{}{}", question.pixel.x,
                          question.pixel.y, eye.z, question.drawn.lights.size(),
                          question.mine ? int((*question.mine)[0]) : -1,
+                         question.suggest ? ", with suggestions" : "",
                          question.realtime ? fmt::format(", parameter 1 is {}",
                                                          question.realtime->tessellation.parameter1)
                                            : "");
@@ -42,8 +43,10 @@ struct PixelTest : ::testing::Test {
     session.setup.find_cause = [this](const CauseQuestion& question,
                                       const std::function<bool()>& /*go_on*/) {
       ++searched;
-      return fmt::format("cause at {}x{} {}", question.options.width, question.options.height,
-                         question.realtime ? "realtime" : "traced");
+      return CauseAnswer{
+          fmt::format("cause at {}x{} {}", question.options.width, question.options.height,
+                      question.realtime ? "realtime" : "traced"),
+          nothing_found};
     };
     session.picture = {{0, 0}, {400, 300}};
     session.pixels = {40, 30};
@@ -82,6 +85,7 @@ struct PixelTest : ::testing::Test {
   std::string path = folder.write("a.xml", testing::scene_text);
   std::atomic<int> explained = 0;
   std::atomic<int> searched = 0;
+  std::atomic<bool> nothing_found = false;
   Session session;
   double time = 0;
 };
@@ -111,6 +115,19 @@ TEST_F(PixelTest, PlainClicksExplainOnlyWhileThePanelIsOpen) {
   EXPECT_FALSE(session.readout.at.has_value());
   click(140, 150, false);
   EXPECT_FALSE(session.readout.at.has_value());
+}
+
+TEST_F(PixelTest, OnePixelSuggestsOnlyWhatThePicturesDoNotExplain) {
+  compare_with_gray();
+  click(140, 150);
+  settle();
+  EXPECT_THAT(session.readout.terms, Not(HasSubstr("suggestions")));
+  nothing_found = true;
+  perform(session, Action::escape);
+  click(260, 150);
+  settle();
+  EXPECT_EQ(searched, 2);
+  EXPECT_THAT(session.readout.terms, HasSubstr("suggestions"));
 }
 
 TEST_F(PixelTest, PicturesOfDifferentCamerasAreNotCompared) {
@@ -150,7 +167,7 @@ TEST_F(PixelTest, MineGivesItsValueAndTheCause) {
   EXPECT_EQ(session.readout.pixel, glm::ivec2(40, 30));
   settle();
   EXPECT_THAT(session.readout.terms, HasSubstr("beside 128"));
-  EXPECT_EQ(session.cause.text, "cause at 80x60 traced");
+  EXPECT_EQ(session.cause.answer.text, "cause at 80x60 traced");
   click(100, 150);
   settle();
   EXPECT_EQ(searched, 1) << "the cause does not depend on the pixel";
@@ -174,7 +191,7 @@ TEST_F(PixelTest, RealtimeComparesTheDrawnPicture) {
   ASSERT_TRUE(wants_picture(session));
   compare_ours(session, session.mine.decoded->texture);
   settle();
-  EXPECT_EQ(session.cause.text, "cause at 80x60 realtime");
+  EXPECT_EQ(session.cause.answer.text, "cause at 80x60 realtime");
 }
 
 TEST_F(PixelTest, TermsFollowThePanelOfRealtime) {

@@ -16,6 +16,7 @@ namespace scenefile::viewer {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using testing_support::TempFolder;
 using SessionTest = testing::SessionFixture;
 
@@ -38,6 +39,7 @@ TEST_F(SessionTest, AClickSelectsTheObject) {
   EXPECT_NEAR(selected_bounds(session).max.x, -0.5, 1e-6) << "only of this copy";
   select(session, session.selected);
   EXPECT_NEAR(selected_bounds(session).max.x, 1.5, 1e-6) << "of all";
+  EXPECT_THAT(session.selected_path, Not(HasSubstr(" > "))) << "in the template";
   EXPECT_TRUE(session.open_rows.contains(session.shown->outline.rows[*session.selected].parent));
   click(200, 20);
   EXPECT_EQ(selected(), "");
@@ -106,6 +108,7 @@ TEST_F(SessionTest, AChangedFileKeepsTheCameraAndTheSelection) {
   EXPECT_EQ(session.version, version + 1);
   EXPECT_EQ(session.camera, before);
   EXPECT_TRUE(session.selected.has_value());
+  EXPECT_THAT(session.selected_path, HasSubstr("root"));
 }
 
 TEST_F(SessionTest, StateStaysWithItsObjectWhenOthersAreAdded) {

@@ -72,6 +72,10 @@ std::optional<Error> no_such_sample(std::optional<std::uint32_t> sample, std::si
 void add_yours(const LoadedScene& scene, const std::array<std::uint8_t, 3>& value,
                ExplainReport& report);
 
+/// Whether the pictures differ and the comparison says nothing about why, so that one pixel may
+/// suggest more.
+bool shows_nothing(const PictureComparison& found);
+
 /// Sets report.yours, and report.compared to the result of comparing the whole pictures, in which
 /// the pixel was asked for (CompareSettings::asked). What the whole pictures show goes before what
 /// one pixel suggests: if they have a cause, or differ only in sampling, yours.fits is empty.

@@ -76,8 +76,9 @@ void build_answers(Session& session) {
   const PixelReadout& readout = session.readout;
   ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[1]);
   if (session.mine.exists()) {
-    ImGui::TextDisabled("why mine differs from %s:",
-                        session.reference.exists() ? "the reference" : "ours");
+    ImGui::TextDisabled("why mine differs from %s:", traces_paths(session)        ? "the truth"
+                                                     : session.reference.exists() ? "the reference"
+                                                                                  : "ours");
     build_lines(session, cause_text(session));
     ImGui::Spacing();
   }

@@ -44,6 +44,9 @@ struct PixelQuestion {
   std::optional<RealtimeOptions> realtime;
   glm::ivec2 pixel{0};
   std::optional<PixelValue> mine;
+  /// Whether the terms of this pixel may suggest what is wrong with mine: only if the search in the
+  /// whole pictures found nothing, so that the two never disagree.
+  bool suggest = false;
 };
 
 struct CauseQuestion {
@@ -57,11 +60,16 @@ struct CauseQuestion {
   std::shared_ptr<const DecodedPicture> mine;
 };
 
-/// Both return text of several lines, even if there is no answer.
+struct CauseAnswer {
+  std::string text;      ///< of several lines
+  bool nothing = false;  ///< the pictures differ, and nothing explains it
+};
+
+/// Returns text of several lines, even if there is no answer.
 using ExplainPixel = std::function<std::string(const PixelQuestion&)>;
 /// Stops soon after `go_on` returns false.
 using FindCause =
-    std::function<std::string(const CauseQuestion&, const std::function<bool()>& go_on)>;
+    std::function<CauseAnswer(const CauseQuestion&, const std::function<bool()>& go_on)>;
 /// Nothing if there is not enough memory.
 using FitPicture = std::function<std::optional<PictureFit>(const FitQuestion&)>;
 

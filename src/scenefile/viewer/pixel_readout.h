@@ -27,9 +27,9 @@ struct PixelReadout {
 /// Why mine differs; independent of the pixel.
 struct CauseSearch {
   bool asked = false;  ///< for the current settings and pictures
-  std::string text;    ///< empty: not known yet
+  CauseAnswer answer;  ///< without text: not known yet
   std::shared_ptr<std::atomic<bool>> stopped;
-  Background<std::string> finding;
+  Background<CauseAnswer> finding;
 
   ~CauseSearch() { stop(); }
   void stop() {

@@ -1,6 +1,7 @@
 #include "scenefile/viewer/session.h"
 
 #include "scenefile/base/text.h"
+#include "scenefile/explain/object_names.h"
 #include "scenefile/io/folder.h"
 #include "scenefile/view/draw_options.h"
 #include "scenefile/viewer/hidden.h"
@@ -300,11 +301,24 @@ void select(Session& session, std::optional<std::uint32_t> row, std::vector<std:
   session.editing.light_fields.clear();
   session.keyboard_in_fields = session.keyboard_in_fields && row;
   session.selected = row;
-  session.selected_path.clear();
   session.selected_copy = std::move(copy);
-  session.selected_box = selected_bounds(session);
+  describe_selection(session);
   if (row && session.shown != nullptr) {
     reveal_selection(session);
+  }
+}
+
+void describe_selection(Session& session) {
+  session.selected_box = selected_bounds(session);
+  session.selected_path.clear();
+  if (!session.selected || session.shown == nullptr) {
+    return;
+  }
+  const OpenedScene& opened = session.shown->opened;
+  const OutlineRow& row = session.shown->outline.rows[*session.selected];
+  if (row.source != no_index && row.kind != RowKind::light) {
+    session.selected_path =
+        ObjectNames(opened.written, opened.ready.sources).text({row.source, session.selected_copy});
   }
 }
 

@@ -147,7 +147,7 @@ struct Session {
   std::optional<std::uint32_t> only_light;  ///< into RenderScene::lights
   Hidden hidden;
   std::optional<std::uint32_t> selected;     ///< row of the outline
-  std::string selected_path;                 ///< path of the clicked object, or of the node
+  std::string selected_path;                 ///< of objects and groups: ObjectNames::text()
   std::vector<std::uint32_t> selected_copy;  ///< sources of instances around it, after clicks
   Bounds selected_box;                       ///< selected_bounds()
   std::set<std::uint32_t> open_rows;         ///< rows of the outline that show their contents
@@ -265,6 +265,8 @@ void select(Session& session, std::optional<std::uint32_t> row,
             std::vector<std::uint32_t> copy = {});
 /// Opens the rows around the selected one, and scrolls to it.
 void reveal_selection(Session& session);
+/// Sets its path and box.
+void describe_selection(Session& session);
 /// The bounding box of the selection: of the clicked instance, or of all instances; empty if
 /// nothing is visible. Takes time linear in the size of the scene; Session::selected_box caches it.
 Bounds selected_bounds(const Session& session);

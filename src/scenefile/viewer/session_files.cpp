@@ -1,7 +1,6 @@
 // Reading and writing the session's files.
 
 #include "scenefile/asset/image_file.h"
-#include "scenefile/explain/object_names.h"
 #include "scenefile/format/recognize.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/folder.h"
@@ -121,7 +120,7 @@ class Successors {
   std::vector<std::uint32_t> rows_;
 };
 
-void keep_selection(Session& session, const Successors& successors, const SceneOnShow& after) {
+void keep_selection(Session& session, const Successors& successors) {
   if (!session.selected) {
     return;
   }
@@ -133,12 +132,6 @@ void keep_selection(Session& session, const Successors& successors, const SceneO
   const bool whole = std::find(copy.begin(), copy.end(), no_index) == copy.end();
   session.selected = row == no_index ? std::nullopt : std::optional(row);
   session.selected_copy = row != no_index && whole ? copy : std::vector<std::uint32_t>();
-  if (row == no_index || !whole || after.outline.rows[row].source == no_index) {
-    session.selected_path.clear();
-  } else if (!session.selected_path.empty()) {
-    const ObjectNames names(after.opened.written, after.opened.ready.sources);
-    session.selected_path = names.text({after.outline.rows[row].source, copy});
-  }
 }
 
 void keep_light(Session& session, const Successors& successors, const SceneOnShow& before,
@@ -160,7 +153,7 @@ void keep_light(Session& session, const Successors& successors, const SceneOnSho
 // A new version of the same file: keeps the state of unchanged objects.
 void keep_state(Session& session, const SceneOnShow& before, const SceneOnShow& after) {
   const Successors successors(before, after);
-  keep_selection(session, successors, after);
+  keep_selection(session, successors);
   keep_light(session, successors, before, after);
   session.open_rows =
       successors.all(session.open_rows, [&](std::uint32_t row) { return successors.row(row); });
@@ -171,7 +164,6 @@ void keep_state(Session& session, const SceneOnShow& before, const SceneOnShow& 
 void start_state(Session& session) {
   session.hidden.clear();
   session.selected.reset();
-  session.selected_path.clear();
   session.selected_copy.clear();
   session.open_rows.clear();
   session.only_light.reset();
@@ -200,11 +192,10 @@ void show(Session& session, std::shared_ptr<const SceneOnShow> scene) {
   if (const std::optional<std::uint32_t> row = row_of_selected_item(session);
       row && row != session.selected) {
     session.selected = row;
-    session.selected_path.clear();
     session.selected_copy.clear();
     reveal_selection(session);
   }
-  session.selected_box = selected_bounds(session);
+  describe_selection(session);
   ++session.version;
   session.home = home_of(*session.shown);
   if (!same_file || at_home) {

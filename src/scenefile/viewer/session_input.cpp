@@ -1,6 +1,5 @@
 // Mouse input.
 
-#include "scenefile/explain/object_names.h"
 #include "scenefile/viewer/session.h"
 
 #include <algorithm>
@@ -58,8 +57,6 @@ void select_under(Session& session) {
   }
   const std::uint32_t row = scene.outline.row_of_source[pick->source];
   select(session, row != no_index ? std::optional(row) : std::nullopt, pick->instances);
-  const ObjectNames names(scene.opened.written, scene.opened.ready.sources);
-  session.selected_path = names.text({pick->source, pick->instances});
 }
 
 Drag drag_of(Session& session, int button, const KeyPress& with) {

@@ -29,7 +29,8 @@ void ask_for_terms(Session& session) {
       trace_options(session),
       {},
       readout.pixel,
-      readout.values[static_cast<std::size_t>(Role::mine)]};
+      readout.values[static_cast<std::size_t>(Role::mine)],
+      session.cause.answer.nothing};
   if (traces_paths(session)) {
     question.options.samples = session.traced->samples;
   }
@@ -53,7 +54,7 @@ bool wants_cause(const Session& session) {
       !session.realtime ||
       (session.compared != nullptr && draws_whole_scene(session) && session.camera == session.home);
   return session.readout.at && session.mine.exists() && session.setup.find_cause &&
-         !traces_paths(session) && !session.cause.asked && !session.cause.finding.busy() && drawn;
+         !session.cause.asked && !session.cause.finding.busy() && drawn;
 }
 
 void ask_for_cause(Session& session) {
@@ -88,9 +89,10 @@ bool tick_pixel(Session& session) {
       news = true;
     }
   }
-  if (std::optional<std::string> text = cause.finding.take()) {
+  if (std::optional<CauseAnswer> answer = cause.finding.take()) {
     if (cause.asked && !*cause.stopped) {
-      cause.text = std::move(*text);
+      cause.answer = std::move(*answer);
+      readout.asked = readout.asked && !cause.answer.nothing;
       news = true;
     }
   }
@@ -180,15 +182,12 @@ std::optional<std::uint32_t> row_named_in(const Session& session, std::string_vi
 void forget_cause(Session& session) {
   session.cause.stop();
   session.cause.asked = false;
-  session.cause.text.clear();
+  session.cause.answer = {};
 }
 
 std::string cause_text(const Session& session) {
-  if (!session.cause.text.empty()) {
-    return session.cause.text;
-  }
-  if (traces_paths(session)) {
-    return "the cause is not determined in mode path\n";
+  if (!session.cause.answer.text.empty()) {
+    return session.cause.answer.text;
   }
   if (session.realtime && session.camera != session.home) {
     return "the cause is only determined at the scene's own camera: press Home\n";
@@ -199,7 +198,8 @@ std::string cause_text(const Session& session) {
   if (session.realtime && session.compare == CompareView::off) {
     return "the cause is determined while the pictures are compared: press X\n";
   }
-  return "looking for the cause ...\n";
+  return traces_paths(session) ? "drawing the truth, to judge mine within its noise ...\n"
+                               : "looking for the cause ...\n";
 }
 
 std::string readout_text(const Session& session) {
@@ -219,7 +219,7 @@ std::string readout_text(const Session& session) {
     }
   }
   text += readout.terms.empty() ? "" : '\n' + readout.terms;
-  text += session.cause.text.empty() ? "" : '\n' + session.cause.text;
+  text += session.cause.answer.text.empty() ? "" : '\n' + session.cause.answer.text;
   return text;
 }
 

@@ -402,9 +402,10 @@ bool Window::types_in_field() const {
          !session_.start.open;
 }
 
-// Who gets a key: a question; a field in which text is typed, an open list and the fields of the
-// selection, if they have the keyboard; otherwise the window. Keys with Ctrl are always the
-// window's, except for those that typing needs, and so are Insert and F1 to F12.
+// Who gets a key: a question; a field in which text is typed, an open list, the fields of the
+// selection, if they have the keyboard, and the panel that opens files; otherwise the window. Keys
+// with Ctrl are always the window's, except for those that typing needs, and so are Insert and F1
+// to F12.
 void Window::on_key(const KeyPress& key, bool down) {
   stir();
   if (!down) {
@@ -429,7 +430,8 @@ void Window::on_key(const KeyPress& key, bool down) {
       typing && std::find(for_typing.begin(), for_typing.end(), key.name) != for_typing.end();
   const bool is_function = key.name.size() > 1 && key.name[0] == 'F';
   const bool of_window = key.control ? !types : is_function || key.name == "Insert";
-  if (session_.question || !(typing || popup || session_.keyboard_in_fields)) {
+  if (session_.question ||
+      !(typing || popup || session_.keyboard_in_fields || session_.start.open)) {
     key_pressed(session_, key);
   } else if (of_window && action_of(key) != nullptr) {
     if (types_in_field()) {
@@ -437,7 +439,8 @@ void Window::on_key(const KeyPress& key, bool down) {
       pass_key(GLFW_KEY_ENTER, 0, GLFW_RELEASE, 0);
     }
     shortcuts_.push_back(key);
-  } else if (!typing && !popup && (key.name.size() == 1 || key.name == "Delete")) {
+  } else if (session_.keyboard_in_fields && !typing && !popup &&
+             (key.name.size() == 1 || key.name == "Delete")) {
     say(session_, "the keyboard is in the fields: Escape leaves them");
   }
 }

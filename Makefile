@@ -73,7 +73,7 @@ properties: ## CASES=10000 SEED=N: run each property test with this many new ran
 schemas: ## check that the XML schemas are up to date and that every validator agrees with the reader
 	@scripts/install-deps core tests schemas
 	@$(MAKE) $(QUIET) configure-tests
-	$(call compile,scenefile_schema_findings)
+	$(call compile,scenefile scenefile_schema_findings)
 	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) -R '^schema\.($(or $(CHECKS),generated|agrees|every))' \
 	  --output-junit schemas.xml; status=$$?; scripts/test-summary $(BUILD)/schemas.xml && exit $$status
 

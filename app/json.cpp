@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 
 namespace scenefile::app {
@@ -177,6 +178,16 @@ void add_work(Json& json, const RenderReport& report) {
             {"trace_seconds", report.stats.trace_seconds}});
 }
 
+// In the words of JSON Schema.
+void add_range(Json& json, const NumberRange& range) {
+  if (std::isfinite(range.low)) {
+    json.add(range.open_low ? "exclusiveMinimum" : "minimum", range.low);
+  }
+  if (std::isfinite(range.high)) {
+    json.add(range.open_high ? "exclusiveMaximum" : "maximum", range.high);
+  }
+}
+
 }  // namespace
 
 std::string render_json(const LoadedScene& scene, const RenderReport& report) {
@@ -315,7 +326,7 @@ std::string vocabulary_json() {
     json.begin_object(object.name);
     for (const KeyWord& key : object.keys) {
       json.begin_object(key.name);
-      json.add({{"about", key.about}, {"values", key.values}});
+      json.add({{"title", key.title}, {"about", key.about}, {"values", key.values}});
       if (!key.object.empty()) {
         json.add("in", key.object);
       }
@@ -327,6 +338,22 @@ std::string vocabulary_json() {
     json.end_object();
   }
   json.end_object();
+  json.add_objects("values", value_words(), [&](const ValueWord& value) {
+    json.add({{"block", value.block},
+              {"xml", value.xml},
+              {"json", value.json},
+              {"kind", word_of(value.kind)},
+              {"repeats", value.repeats},
+              {"required_in_xml", value.required_in_xml},
+              {"required_in_json", value.required_in_json}});
+    if (!value.fallback.empty()) {
+      json.add("default", value.fallback);
+    }
+    add_range(json, value.range);
+    if (!value.used_by.empty()) {
+      json.add({{"used_by", value.used_by}, {"needed_by", value.needed_by}});
+    }
+  });
   json.end_object();
   return json.text();
 }

@@ -53,13 +53,6 @@ std::string_view word_of_kind(ItemKind kind) {
   return words[static_cast<std::size_t>(kind)];
 }
 
-std::string_view word_of_field(FieldKind kind) {
-  constexpr std::string_view words[] = {"number",   "vector", "color", "coefficients",
-                                        "rotation", "matrix", "id",    "choice",
-                                        "text",     "file",   "image"};
-  return words[static_cast<std::size_t>(kind)];
-}
-
 // What the format says about a field.
 std::string_view about_field(const SceneItem& item, std::string_view name) {
   if (open_document().is_xml()) {
@@ -92,7 +85,7 @@ void add_field(Json& json, const SceneItem& item, const FieldView& field) {
   json.add("name", field.name);
   json.add("title", field.title);
   json.add("about", about_field(item, field.name));
-  json.add("kind", word_of_field(field.kind));
+  json.add("kind", word_of(field.kind));
   json.begin_array("parts");
   for (const FieldPart& part : field.parts) {
     add_part(json, part);

@@ -129,7 +129,7 @@ TEST(Document, FieldsSayWhatIsWrittenAndWhere) {
   const std::vector<FieldView> fields = document.fields(2);
   const FieldView& falloff = *field_in(fields, "function");
   EXPECT_EQ(falloff.title, "Attenuation");
-  EXPECT_EQ(falloff.kind, FieldKind::coefficients);
+  EXPECT_EQ(falloff.kind, ValueKind::coefficients);
   EXPECT_EQ(falloff.parts[1].value, "0.10");
   EXPECT_EQ(text.substr(falloff.parts[1].place.from, falloff.parts[1].place.size()), "0.10");
   EXPECT_EQ(text.substr(falloff.place.from, falloff.place.size()),

@@ -138,7 +138,7 @@ class Laws {
   // Another value that the part accepts.
   std::optional<std::string> other_value(const FieldView& field, std::size_t index) {
     const FieldPart& part = field.parts[index];
-    if (field.kind == FieldKind::choice) {
+    if (field.kind == ValueKind::choice) {
       const std::size_t other = below(field.choices.size());
       const bool fine = !field.choices.empty() && field.choices[other] != part.value &&
                         field.choices[other] != "mesh";
@@ -147,12 +147,12 @@ class Laws {
     if (!part.is_number) {
       return fmt::format("n\xC3\xA4me <{}> & \"more'", below(100));
     }
-    if (field.kind == FieldKind::matrix && index >= 12) {
+    if (field.kind == ValueKind::matrix && index >= 12) {
       return std::nullopt;
     }
     const double now = parse_number(part.value).value;
     for (const double number : {now + 0.125, now - 0.125, now / 2, 1.0, 0.5}) {
-      const auto rounded = static_cast<float>(field.kind == FieldKind::id ? 5 : number);
+      const auto rounded = static_cast<float>(field.kind == ValueKind::id ? 5 : number);
       if (part.range.contains(rounded) && rounded != 0 && number_text(rounded) != part.value) {
         return number_text(rounded);
       }
@@ -181,7 +181,7 @@ class Laws {
 
   void set_part(const Document& document, ItemId item, const FieldView& field, std::size_t part) {
     const std::optional<std::string> value = other_value(field, part);
-    const bool whole = field.kind == FieldKind::image && !field.parts[0].written && part > 0;
+    const bool whole = field.kind == ValueKind::image && !field.parts[0].written && part > 0;
     if (!value || whole) {
       return;
     }
@@ -194,7 +194,7 @@ class Laws {
       return;
     }
     // Names may change what groups are, and types which fields there are.
-    const bool naming = field.kind == FieldKind::text || field.kind == FieldKind::choice;
+    const bool naming = field.kind == ValueKind::text || field.kind == ValueKind::choice;
     if (naming) {
       return;
     }
@@ -240,9 +240,9 @@ class Laws {
     for (const FieldView& field : all) {
       const std::size_t part = below(field.parts.size());
       set_part(document, item, field, part);
-      if (field.written && below(3) == 0 && field.kind != FieldKind::choice) {
+      if (field.written && below(3) == 0 && field.kind != ValueKind::choice) {
         after(document, remove_value(document, item, field), "unset " + std::string(field.name),
-              field.kind != FieldKind::matrix && field.kind != FieldKind::rotation && false);
+              field.kind != ValueKind::matrix && field.kind != ValueKind::rotation && false);
       }
     }
   }

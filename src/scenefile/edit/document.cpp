@@ -57,28 +57,6 @@ std::string_view known_name(const XmlContext& context, const XmlTag& tag, ItemKi
   return {};
 }
 
-ValueKind value_kind(FieldKind kind) {
-  switch (kind) {
-    case FieldKind::color:
-      return ValueKind::color;
-    case FieldKind::coefficients:
-      return ValueKind::coefficients;
-    case FieldKind::vector:
-      return ValueKind::vector;
-    case FieldKind::number:
-      return ValueKind::number;
-    case FieldKind::id:
-    case FieldKind::choice:
-    case FieldKind::text:
-    case FieldKind::file:
-    case FieldKind::image:
-    case FieldKind::rotation:
-    case FieldKind::matrix:
-      break;
-  }
-  return ValueKind::word;
-}
-
 std::vector<const WrittenAttribute*> attributes_of(const XmlContext& context,
                                                    const ReadTag& element,
                                                    const Signature& signature) {
@@ -119,16 +97,17 @@ class FieldList {
     field.name = word.name(syntax_.xml);
     field.title = word.title;
     field.kind = word.kind;
+    field.needed = is_needed(word.need, syntax_.xml);
     field.element = element;
     field.written = element != no_part;
     const std::vector<std::string_view> names = parts_of(word, syntax_.xml);
     const std::vector<std::string> start = start_of(word);
-    const bool texts = word.kind == FieldKind::choice || word.kind == FieldKind::text ||
-                       word.kind == FieldKind::file;
+    const bool texts = word.kind == ValueKind::choice || word.kind == ValueKind::text ||
+                       word.kind == ValueKind::file;
     for (std::size_t i = 0; i < names.size(); ++i) {
       FieldPart& part = field.parts.emplace_back();
       part.name = names.size() == 1 ? field.name : names[i];
-      part.is_number = !texts && !(word.kind == FieldKind::image && i == 0);
+      part.is_number = !texts && !(word.kind == ValueKind::image && i == 0);
       part.range = part.is_number ? word.range : NumberRange{};
       part.value = start[std::min(i, start.size() - 1)];
     }
@@ -149,27 +128,10 @@ class FieldList {
 
   void judge(FieldView& field) const {
     const std::string_view name = field.name;
-    switch (item_.kind) {
-      case ItemKind::light:
-        field.needed = light_use(name, item_.name, syntax_.xml).needed;
-        field.effective = light_use(name, item_.name, syntax_.xml).effective;
-        break;
-      case ItemKind::camera:
-        field.needed = name != "look" && name != "focus" && name != "aperture" &&
-                       name != "focallength" && name != "focalLength";
-        break;
-      case ItemKind::globals:
-        field.needed = !syntax_.xml && name != "transparentCoeff";
-        break;
-      case ItemKind::primitive:
-        field.needed = name == "type" || name == (syntax_.xml ? "name" : "meshFile");
-        break;
-      case ItemKind::root:
-      case ItemKind::master:
-      case ItemKind::group:
-      case ItemKind::instance:
-      case ItemKind::unread:
-        break;
+    if (item_.kind == ItemKind::light) {
+      const LightUse use = light_use(name, item_.name, syntax_.xml);
+      field.needed = use.needed;
+      field.effective = use.effective;
     }
     if (name == "type" && item_.kind == ItemKind::light) {
       field.choices.assign(light_words.begin(), light_words.end());
@@ -300,11 +262,11 @@ class FieldList {
     field.place = syntax_[element].range();
     const ReadTag tag(state_, element);
     std::vector<const WrittenAttribute*> found;
-    if (word.kind == FieldKind::matrix) {
+    if (word.kind == ValueKind::matrix) {
       const std::vector<PartId>& rows = syntax_[element].children;
       for (std::size_t r = 0; r < std::min<std::size_t>(rows.size(), 4); ++r) {
         const ReadTag row(state_, rows[r]);
-        found = attributes_of(reader_.context, row, row_signature());
+        found = attributes_of(reader_.context, row, signature_of(ValueKind::matrix));
         for (std::size_t i = 0; i < 4; ++i) {
           fill(field.parts[4 * r + i], found[i]);
         }
@@ -501,13 +463,11 @@ ReadTag::ReadTag(const Document::State& state, PartId element)
 std::vector<const WrittenAttribute*> field_attributes(const XmlContext& context,
                                                       const ReadTag& element,
                                                       const FieldWord& word) {
-  if (word.kind == FieldKind::image) {
+  if (word.kind == ValueKind::image) {
     return {element.written_as(find_image_file(context, element.tag)),
             element.written_as(element.tag.find("u")), element.written_as(element.tag.find("v"))};
   }
-  return attributes_of(
-      context, element,
-      word.kind == FieldKind::rotation ? rotate_signature() : signature_of(value_kind(word.kind)));
+  return attributes_of(context, element, signature_of(word.kind));
 }
 
 const FieldWord* word_of_child(const Document::State& state, const XmlContext& context,
@@ -668,7 +628,7 @@ Result<std::string> parse_value(const FieldView& field, std::size_t index, std::
       return refuse(
           fmt::format("{} is not one of {}", quoted(typed), fmt::join(field.choices, ", ")));
     }
-    if (typed.empty() && (field.kind == FieldKind::file || field.kind == FieldKind::image)) {
+    if (typed.empty() && (field.kind == ValueKind::file || field.kind == ValueKind::image)) {
       return refuse("enter the name of a file");
     }
     return std::string(typed);
@@ -687,7 +647,7 @@ Result<std::string> parse_value(const FieldView& field, std::size_t index, std::
   if (!part.range.contains(number.value)) {
     return refuse(fmt::format("{} is out of range: it must be {}", typed, range_text(part.range)));
   }
-  if (field.kind == FieldKind::id && number.value != static_cast<int>(number.value)) {
+  if (field.kind == ValueKind::id && number.value != static_cast<int>(number.value)) {
     return refuse(fmt::format("{} is not a whole number", typed));
   }
   return is_json_number(typed) ? std::string(typed) : number_text(static_cast<float>(number.value));

@@ -14,9 +14,9 @@
 #include "scenefile/edit/text_edit.h"
 #include "scenefile/format/read_scene.h"
 #include "scenefile/scene/scene.h"
+#include "scenefile/scene/value_kind.h"
 
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -60,32 +60,6 @@ struct SceneItem {
   std::uint32_t block = ~std::uint32_t{0};
 };
 
-enum class FieldKind : std::uint8_t {
-  number,
-  vector,        ///< x, y, z
-  color,         ///< r, g, b
-  coefficients,  ///< constant, linear, quadratic
-  rotation,      ///< x, y, z of the axis; degrees
-  matrix,        ///< 16 numbers, row by row
-  id,            ///< a whole number
-  choice,        ///< one of FieldView::choices
-  text,
-  file,   ///< name of an image or mesh
-  image,  ///< XML: file name, and how often it repeats along u and v
-};
-
-/// The numbers that a value may have.
-struct NumberRange {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool open_low = false;  ///< `low` itself is excluded
-  bool open_high = false;
-
-  bool contains(double value) const {
-    return (open_low ? value > low : value >= low) && (open_high ? value < high : value <= high);
-  }
-};
-
 /// One number, word or text of a field.
 struct FieldPart {
   std::string_view name;  ///< "x"; the name of the field if it has only one part
@@ -103,7 +77,7 @@ double number_of(const FieldPart& part);
 struct FieldView {
   std::string_view name;   ///< in the file's dialect, such as "heightangle"
   std::string_view title;  ///< "Height angle"
-  FieldKind kind = FieldKind::number;
+  ValueKind kind = ValueKind::number;
   std::vector<FieldPart> parts;
   std::vector<std::string> choices;
   bool written = false;

@@ -47,8 +47,8 @@ Fresh member(std::string_view key, Fresh value) {
   return value;
 }
 
-bool is_word(FieldKind kind) {
-  return kind == FieldKind::choice || kind == FieldKind::text || kind == FieldKind::file;
+bool is_word(ValueKind kind) {
+  return kind == ValueKind::choice || kind == ValueKind::text || kind == ValueKind::file;
 }
 
 std::string json_literal(const FieldWord& word, const std::string& value) {
@@ -63,7 +63,7 @@ Fresh fresh_entry(const FieldWord& word, const Values& values) {
     parts.push_back(
         literal(json_literal(word, i < values.size() && values[i] ? *values[i] : given)));
   }
-  if (word.kind == FieldKind::matrix) {
+  if (word.kind == ValueKind::matrix) {
     std::vector<Fresh> rows;
     for (auto row = parts.begin(); row != parts.end(); row += 4) {
       rows.push_back(list_of({row, row + 4}));
@@ -165,8 +165,8 @@ class Editor {
     return syntax_.xml ? xml_changes(item, field, values) : json_changes(item, field, values);
   }
 
-  const FieldWord& word_of(const SceneItem& item, std::string_view name) const {
-    for (const FieldWord& word : words_of(item.kind)) {
+  const FieldWord& word_of(ItemKind kind, std::string_view name) const {
+    for (const FieldWord& word : words_of(kind)) {
       if (word.name(syntax_.xml) == name) {
         return word;
       }
@@ -185,14 +185,14 @@ class Editor {
     std::vector<std::pair<std::string, std::string>> attributes;
     for (std::size_t i = 0; i < names.size(); ++i) {
       const bool given = i < values.size() && values[i];
-      if (given || word.kind != FieldKind::image || i == 0) {
+      if (given || word.kind != ValueKind::image || i == 0) {
         attributes.emplace_back(
             names[i],
             state_.attribute_value(given ? *values[i] : start[std::min(i, start.size() - 1)]));
       }
     }
     Fresh element = element_of(std::string(word.xml), {});
-    if (word.kind == FieldKind::matrix) {
+    if (word.kind == ValueKind::matrix) {
       for (auto row = attributes.begin(); row != attributes.end(); row += 4) {
         element.children.push_back(element_of("row", {row, row + 4}));
       }
@@ -271,7 +271,7 @@ class Editor {
   static std::size_t rank_of(const SceneItem& item, const std::vector<const FieldWord*>& order,
                              const FieldWord& word) {
     if (order.empty()) {  // a group: its name first, in a template last
-      const bool is_name = word.kind == FieldKind::text;
+      const bool is_name = word.kind == ValueKind::text;
       return is_name ? (item.kind == ItemKind::master ? 100 : 0)
                      : static_cast<std::size_t>(&word - transform_fields) + 1;
     }
@@ -333,7 +333,7 @@ class Editor {
   // A new field, with those that it needs, or in place of its alternative.
   std::vector<TextChange> insert_field(const SceneItem& item, const FieldView& field,
                                        const Values& values) const {
-    const FieldWord& word = word_of(item, field.name);
+    const FieldWord& word = word_of(item.kind, field.name);
     std::vector<std::pair<const FieldWord*, Values>> fresh{{&word, values}};
     const std::string_view instead = word.xml == "look"    ? "focus"
                                      : word.xml == "focus" ? "look"
@@ -352,7 +352,7 @@ class Editor {
       const auto blend = std::find_if(fields.begin(), fields.end(),
                                       [](const FieldView& f) { return f.name == "blend"; });
       if (blend != fields.end() && !blend->written) {
-        fresh.push_back({&word_of(item, "blend"), {"1"}});
+        fresh.push_back({&word_of(item.kind, "blend"), {"1"}});
         if (item.element != no_part) {
           return {joined(item.element, index_before(item, word), fresh).change};
         }
@@ -384,11 +384,12 @@ class Editor {
                                     std::span(after).first(field.name == "name" ? 1 : 2))};
     }
     const bool readable =
-        field.kind != FieldKind::matrix ||
+        field.kind != ValueKind::matrix ||
         (syntax_[field.element].children.size() == 4 &&
          std::all_of(field.parts.begin(), field.parts.end(), std::mem_fn(&FieldPart::written)));
     if (!readable) {
-      const Piece piece{fresh_element(word_of(item, field.name), known_values(field, values)), {}};
+      const Piece piece{fresh_element(word_of(item.kind, field.name), known_values(field, values)),
+                        {}};
       const std::string indent(layout_.indent_at(field.place.from));
       return {{field.place.from, field.place.size(),
                comments_in(field.place) + layout_.text_of(piece, indent, !layout_.one_line())}};
@@ -441,7 +442,7 @@ class Editor {
       const bool used = std::any_of(attributes.begin(), attributes.end(), [&](const auto& a) {
         return std::find(form.begin(), form.end(), a.name) != form.end();
       });
-      if (field.kind == FieldKind::coefficients && used) {
+      if (field.kind == ValueKind::coefficients && used) {
         names.assign(form.begin(), form.end());
         break;
       }
@@ -461,7 +462,7 @@ class Editor {
     const bool whole = std::any_of(field.parts.begin(), field.parts.end(),
                                    [](const FieldPart& part) { return !part.written; }) ||
                        (field.parts.size() > 1 && !has_shape(field));
-    const FieldWord& word = word_of(item, field.name);
+    const FieldWord& word = word_of(item.kind, field.name);
     if (!whole) {
       std::vector<TextChange> changes;
       for (std::size_t i = 0; i < values.size(); ++i) {
@@ -479,7 +480,7 @@ class Editor {
   // Whether a list in JSON has just the parts of the field.
   bool has_shape(const FieldView& field) const {
     const SyntaxPart& list = syntax_[field.element];
-    const bool matrix = field.kind == FieldKind::matrix;
+    const bool matrix = field.kind == ValueKind::matrix;
     return list.type == SyntaxPart::Type::array &&
            list.children.size() == (matrix ? 4 : field.parts.size()) &&
            std::all_of(list.children.begin(), list.children.end(), [&](PartId child) {
@@ -560,7 +561,7 @@ class Editor {
       if (present != no_part && !use.effective) {
         unused.push_back(present);
       } else if (present == no_part && use.needed) {
-        missing.push_back({word, word->kind == FieldKind::id ? Values{std::to_string(free_id())}
+        missing.push_back({word, word->kind == ValueKind::id ? Values{std::to_string(free_id())}
                                                              : values_in(known, *word)});
       }
     }
@@ -986,8 +987,8 @@ class Editor {
       if (what.name == ::scenefile::word_of(Shape::mesh)) {
         set("filename", what.file.empty() ? mesh_field.start : std::string_view(what.file));
       }
-      object.children.push_back(fresh_element(primitive_fields[2], dim_gray()));
-      object.children.push_back(fresh_element(primitive_fields[3], {}));
+      object.children.push_back(fresh_element(word_of(ItemKind::primitive, "ambient"), dim_gray()));
+      object.children.push_back(fresh_element(word_of(ItemKind::primitive, "diffuse"), {}));
     } else if (what.kind == ItemKind::group) {
       set("type", "tree");
       set("name", free_name("group"));
@@ -1016,8 +1017,8 @@ class Editor {
     for (const FieldWord* const word : ordered_words(ItemKind::light, true)) {
       if (use_of(*word, type).needed) {
         fields.push_back(
-            fresh_element(*word, word->kind == FieldKind::choice ? Values{std::string(type)}
-                                 : word->kind == FieldKind::id   ? Values{std::to_string(free_id())}
+            fresh_element(*word, word->kind == ValueKind::choice ? Values{std::string(type)}
+                                 : word->kind == ValueKind::id   ? Values{std::to_string(free_id())}
                                  : word->xml == "position"       ? place
                                                                  : Values{}));
       }
@@ -1046,7 +1047,7 @@ class Editor {
         if (use_of(*word, what.name).needed) {
           light.push_back(member(
               word->json,
-              fresh_entry(*word, word->kind == FieldKind::choice ? Values{what.name} : Values{})));
+              fresh_entry(*word, word->kind == ValueKind::choice ? Values{what.name} : Values{})));
         }
       }
       members.push_back(member("lights", list_of({object_of(std::move(light))})));
@@ -1057,8 +1058,9 @@ class Editor {
         shape.push_back(member(
             "meshFile", literal(json_quoted(what.file.empty() ? mesh_field.start : what.file))));
       }
-      shape.push_back(member("ambient", fresh_entry(primitive_fields[2], dim_gray())));
-      shape.push_back(member("diffuse", fresh_entry(primitive_fields[3], {})));
+      shape.push_back(
+          member("ambient", fresh_entry(word_of(ItemKind::primitive, "ambient"), dim_gray())));
+      shape.push_back(member("diffuse", fresh_entry(word_of(ItemKind::primitive, "diffuse"), {})));
       members.push_back(member("primitives", list_of({object_of(std::move(shape))})));
     } else if (what.kind == ItemKind::group) {
       members.push_back(
@@ -1266,7 +1268,7 @@ Result<Edit> set_camera(const Document& document, const Camera& camera) {
         changes.push_back(std::move(change));
       }
     } else if (differs || !item.written) {
-      fresh.push_back({&editor.word_of(item, field.name), std::move(values)});
+      fresh.push_back({&editor.word_of(item.kind, field.name), std::move(values)});
     }
   };
   // The sum of two floats may have more digits than they have.
@@ -1276,7 +1278,7 @@ Result<Edit> set_camera(const Document& document, const Camera& camera) {
   const double step = std::pow(10.0, std::floor(std::log10(std::max(double{size}, 1e-30))) - 5);
   const glm::vec3 rounded = glm::round(sum / step) * step;
   for (const FieldView& field : fields) {
-    if (field.title == camera_fields[0].title) {
+    if (field.title == row_of(camera_rows, Field::position).words.title) {
       set(field, {&camera.position.x, 3}, {&defaults.position.x, 3});
     } else if (field.name == "look" && (field.written || !has_focus)) {
       set(field, {&camera.look.x, 3}, {&defaults.look.x, 3});
@@ -1284,7 +1286,7 @@ Result<Edit> set_camera(const Document& document, const Camera& camera) {
       set(field, {&focus.x, 3}, {&focus.x, 3}, {&rounded.x, 3});
     } else if (field.name == "up") {
       set(field, {&camera.up.x, 3}, {&defaults.up.x, 3});
-    } else if (field.title == camera_fields[4].title) {
+    } else if (field.title == row_of(camera_rows, Field::height_angle_deg).words.title) {
       set(field, {&camera.height_angle_deg, 1}, {&defaults.height_angle_deg, 1});
     }
   }

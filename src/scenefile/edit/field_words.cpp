@@ -1,22 +1,63 @@
 #include "scenefile/edit/field_words.h"
 
-#include "scenefile/scene/vocabulary.h"
-
 #include <algorithm>
 #include <vector>
 
 namespace scenefile {
 
+namespace {
+
+template <typename Owner, std::size_t N>
+void append(std::vector<FieldWord>& words, const ValueRow<Owner> (&rows)[N]) {
+  for (const ValueRow<Owner>& row : rows) {
+    const ValueWords& say = row.words;
+    if (say.title.empty()) {
+      continue;
+    }
+    FieldWord& word = words.emplace_back(FieldWord{row.xml, row.json, say.title, row.kind,
+                                                   say.start, row.range, row.need, row.edited});
+    if (row.kind == ValueKind::image) {  // in JSON three entries
+      word.json = {};
+      const std::string_view file = say.start.substr(0, say.start.find(' '));
+      words.push_back({{}, row.json, say.title, ValueKind::file, file});
+      for (const RepeatKey& repeat : row.json_repeat) {
+        words.push_back({{}, repeat.key, repeat.title, ValueKind::number, "1", row.range});
+      }
+    }
+  }
+}
+
+template <typename Owner, std::size_t N>
+std::vector<FieldWord> words_of_rows(const ValueRow<Owner> (&rows)[N]) {
+  std::vector<FieldWord> words;
+  append(words, rows);
+  return words;
+}
+
+std::vector<FieldWord> words_of_primitive() {
+  std::vector<FieldWord> words{
+      {{}, "type", shape_field.title, ValueKind::choice, shape_field.start, {}, Need::always},
+      {{}, "meshFile", mesh_field.title, ValueKind::file, mesh_field.start, {}, Need::always}};
+  append(words, material_rows);
+  return words;
+}
+
+}  // namespace
+
 std::span<const FieldWord> words_of(ItemKind kind) {
+  static const std::vector<FieldWord> globals = words_of_rows(global_rows);
+  static const std::vector<FieldWord> camera = words_of_rows(camera_rows);
+  static const std::vector<FieldWord> light = words_of_rows(light_rows);
+  static const std::vector<FieldWord> primitive = words_of_primitive();
   switch (kind) {
     case ItemKind::globals:
-      return global_fields;
+      return globals;
     case ItemKind::camera:
-      return camera_fields;
+      return camera;
     case ItemKind::light:
-      return light_fields;
+      return light;
     case ItemKind::primitive:
-      return primitive_fields;
+      return primitive;
     case ItemKind::root:
     case ItemKind::master:
     case ItemKind::group:
@@ -47,10 +88,9 @@ LightUse light_use(std::string_view field, std::string_view type, bool xml) {
   const auto light = static_cast<LightType>(found - light_words.begin());
   for (const ValueRow<Light>& row : light_rows) {
     if ((xml ? row.xml : row.json) == field) {
-      const bool used = row.used_by_type(light);
-      const bool falloff = row.field == Field::attenuation;
-      return {used && row.kind != ValueKind::text && !(falloff && (xml || !course_json_has(light))),
-              used || (xml && row.idle_in_xml)};
+      const bool usual = row.kind == ValueKind::id || row.kind == ValueKind::choice;
+      return {usual || light_needs(light, row, xml),
+              row.used_by_type(light) || (xml && row.idle_in_xml)};
     }
   }
   return {};
@@ -58,24 +98,24 @@ LightUse light_use(std::string_view field, std::string_view type, bool xml) {
 
 std::vector<std::string_view> parts_of(const FieldWord& word, bool xml) {
   switch (word.kind) {
-    case FieldKind::vector:
+    case ValueKind::vector:
       return {"x", "y", "z"};
-    case FieldKind::color:
+    case ValueKind::color:
       return {"r", "g", "b"};
-    case FieldKind::coefficients:
+    case ValueKind::coefficients:
       return xml ? std::vector<std::string_view>{"v1", "v2", "v3"}
                  : std::vector<std::string_view>{"constant", "linear", "quadratic"};
-    case FieldKind::rotation:
+    case ValueKind::rotation:
       return {"x", "y", "z", "angle"};
-    case FieldKind::matrix:
+    case ValueKind::matrix:
       return {"a", "b", "c", "d", "a", "b", "c", "d", "a", "b", "c", "d", "a", "b", "c", "d"};
-    case FieldKind::image:
+    case ValueKind::image:
       return {"file", "u", "v"};
-    case FieldKind::number:
-    case FieldKind::id:
-    case FieldKind::choice:
-    case FieldKind::text:
-    case FieldKind::file:
+    case ValueKind::number:
+    case ValueKind::id:
+    case ValueKind::choice:
+    case ValueKind::text:
+    case ValueKind::file:
       break;
   }
   return {"v"};

@@ -194,7 +194,7 @@ Result<Edit> set_matrix(const Document& document, ItemId id, const std::vector<F
     }
   }
   Typed texts = texts_of(rows);
-  if (fields.size() == 1 && fields[0].kind == FieldKind::matrix) {
+  if (fields.size() == 1 && fields[0].kind == ValueKind::matrix) {
     const PartId element = fields[0].element;
     const bool whole = document.state().syntax[element].children.size() == 4;
     if (!whole) {

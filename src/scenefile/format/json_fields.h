@@ -52,7 +52,7 @@ struct JsonVocabulary {
 /// The number of keys of the row.
 template <typename Owner>
 constexpr std::size_t count_keys(const ValueRow<Owner>& row) {
-  return row.json.empty() ? 0 : row.json_repeat[0].empty() ? 1 : 3;
+  return row.json.empty() ? 0 : row.json_repeat[0].key.empty() ? 1 : 3;
 }
 
 /// The index in the vocabulary of the row's first key; for row N, the total number of keys.
@@ -83,8 +83,8 @@ constexpr std::array<std::string_view, Count> keys_of(
       keys[next++] = row.json;
     }
     if (count_keys(row) == 3) {
-      keys[next++] = row.json_repeat[0];
-      keys[next++] = row.json_repeat[1];
+      keys[next++] = row.json_repeat[0].key;
+      keys[next++] = row.json_repeat[1].key;
     }
   }
   return keys;

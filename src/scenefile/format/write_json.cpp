@@ -240,8 +240,8 @@ class JsonPrinter {
   template <typename Owner>
   void image(const ValueRow<Owner>& row, const TextureUse& use) {
     text(row.json, use.file, use.location);
-    value(row.json_repeat[0], use.repeat_u);
-    value(row.json_repeat[1], use.repeat_v);
+    value(row.json_repeat[0].key, use.repeat_u);
+    value(row.json_repeat[1].key, use.repeat_v);
   }
   void id(std::string_view, int, Location) {}  // JSON has no ids
 

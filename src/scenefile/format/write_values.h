@@ -70,7 +70,7 @@ void print_values(Printer& to, const Light& light) {
     if (to.name_of(row).empty()) {
       continue;
     }
-    if (row.kind == ValueKind::word) {
+    if (row.kind == ValueKind::choice) {
       to.text(to.name_of(row), word_of(light.type), light.location);
     } else if (row.used_by_type(light.type) || (to.is_idle(row) && !is_default(row, light))) {
       print_value(to, row, light, light.location);

@@ -270,7 +270,7 @@ bool read_light_part(const XmlContext& context, const XmlTag& tag, LightDraft& d
     if (const std::optional<std::string_view> word = read_word(context, tag)) {
       read_id(context, tag.location, *word, draft.light);
     }
-  } else if (row.kind == ValueKind::word) {
+  } else if (row.kind == ValueKind::choice) {
     if (const std::optional<std::string_view> word = read_word(context, tag)) {
       read_type(context, tag.location, *word, draft);
     } else {
@@ -763,7 +763,7 @@ std::optional<Transform> read_scale(const XmlContext& context, const XmlTag& tag
 }
 
 std::optional<Transform> read_rotate(const XmlContext& context, const XmlTag& tag) {
-  const std::optional<Parts> found = find_parts(context, tag, rotate_signature());
+  const std::optional<Parts> found = find_parts(context, tag, signature_of(ValueKind::rotation));
   if (!found) {
     return std::nullopt;
   }
@@ -775,7 +775,7 @@ std::optional<Transform> read_rotate(const XmlContext& context, const XmlTag& ta
     return std::nullopt;
   }
   if (axis_parts != 3) {
-    report_missing(context, tag, rotate_signature(), parts);
+    report_missing(context, tag, signature_of(ValueKind::rotation), parts);
     return std::nullopt;
   }
   if (parts[3] == nullptr) {

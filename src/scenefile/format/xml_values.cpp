@@ -368,26 +368,23 @@ Signature signature_of(ValueKind kind) {
     case ValueKind::number:
       return {single_forms, 1};
     case ValueKind::id:
-    case ValueKind::word:
+    case ValueKind::choice:
     case ValueKind::text:
+    case ValueKind::file:
       return {word_forms, 1};
     case ValueKind::color:
       return {color_forms, 3};
     case ValueKind::coefficients:
       return {attenuation_forms, 3};
+    case ValueKind::rotation:
+      return {rotate_forms, 4, true, true};
+    case ValueKind::matrix:
+      return {row_forms, 4};
     case ValueKind::vector:
-    case ValueKind::texture:
+    case ValueKind::image:
       break;
   }
   return {vector_forms, 3};
-}
-
-Signature rotate_signature() {
-  return {rotate_forms, 4, true, true};
-}
-
-Signature row_signature() {
-  return {row_forms, 4};
 }
 
 std::string element_text(std::string_view name) {
@@ -445,7 +442,7 @@ std::string as_attributes(std::string_view element, std::string_view text) {
   std::vector<std::string> numbers = numbers_in(text, true);
   std::vector<std::string_view> names;
   const ValueKind kind = kind_of_element(element).value_or(ValueKind::vector);
-  if (kind == ValueKind::texture) {
+  if (kind == ValueKind::image) {
     names = {"file"};
     numbers = {word};
   } else if (numbers.size() <= 1) {
@@ -600,13 +597,13 @@ bool read_three(const XmlContext& context, const XmlTag& tag, ValueKind kind, gl
 }
 
 bool read_matrix_row(const XmlContext& context, const XmlTag& tag, glm::vec4& row) {
-  const std::optional<Parts> parts = find_parts(context, tag, row_signature());
+  const std::optional<Parts> parts = find_parts(context, tag, signature_of(ValueKind::matrix));
   row = {};
   return parts && read_numbers(context, tag, *parts, {&row.x, 4});
 }
 
 std::optional<std::string_view> read_word(const XmlContext& context, const XmlTag& tag) {
-  const std::optional<Parts> parts = find_parts(context, tag, signature_of(ValueKind::word));
+  const std::optional<Parts> parts = find_parts(context, tag, signature_of(ValueKind::choice));
   return parts ? std::optional((*parts)[0]->value) : std::nullopt;
 }
 

@@ -60,12 +60,8 @@ struct Signature {
   bool free_names = false;  ///< the last part, or all but the last, may have any names
 };
 
-/// The names of the parts of a value of this kind; not of a texture.
+/// The names of the parts of a value of this kind, of a matrix those of a row; not of an image.
 Signature signature_of(ValueKind kind);
-/// Those of <rotate>: x, y, z, angle.
-Signature rotate_signature();
-/// Those of a row of <matrix>.
-Signature row_signature();
 
 /// The attributes of the parts; null if missing.
 using Parts = std::array<const XmlAttribute*, 4>;

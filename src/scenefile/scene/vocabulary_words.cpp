@@ -1,496 +1,349 @@
 #include "scenefile/scene/vocabulary_words.h"
 
+#include "scenefile/scene/vocabulary.h"
+
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
+#include <type_traits>
+#include <utility>
 
 namespace scenefile {
 
 namespace {
 
-constexpr std::string_view parts_of_scenefile[] = {"globaldata", "cameradata", "lightdata",
-                                                   "object"};
-constexpr std::string_view parts_of_globaldata[] = {"ambientcoeff", "diffusecoeff", "specularcoeff",
-                                                    "transparentcoeff"};
-constexpr AttributeWord ambientcoeff_attributes[] = {
-    {"v", "The coefficient, usually from 0 to 1.", {}, true}};
-constexpr std::string_view parts_of_cameradata[] = {
-    "pos", "look", "focus", "up", "heightangle", "aspectratio", "aperture", "focallength"};
-constexpr AttributeWord pos_attributes[] = {
-    {"x", "The x part.", {}, true}, {"y", "The y part.", {}, true}, {"z", "The z part.", {}, true}};
-constexpr AttributeWord heightangle_attributes[] = {
-    {"v", "Degrees, above 0 and below 180; 30 to 60 are common.", {}, true}};
-constexpr AttributeWord aspectratio_attributes[] = {
-    {"v", "Has no effect; width divided by height, above 0.", {}, false}};
-constexpr AttributeWord aperture_attributes[] = {{"v", "World units, 0 or more.", {}, true}};
-constexpr std::string_view parts_of_lightdata[] = {"id",    "color",     "function", "position",
-                                                   "type",  "direction", "angle",    "penumbra",
-                                                   "width", "height"};
-constexpr AttributeWord id_attributes[] = {
-    {"v", "A whole number from 0 to 7, different for each light.", {}, true}};
-constexpr AttributeWord color_attributes[] = {
-    {"r", "Red: 0 none, 1 full; above 1 for a bright light with attenuation.", {}, true},
-    {"g", "Green: 0 none, 1 full; above 1 for a bright light with attenuation.", {}, true},
-    {"b", "Blue: 0 none, 1 full; above 1 for a bright light with attenuation.", {}, true},
-    {"a", "Has no effect: colors have three parts.", {}, false}};
-constexpr AttributeWord function_attributes[] = {
-    {"v1", "The constant coefficient.", {}, true},  {"v2", "The linear coefficient.", {}, true},
-    {"v3", "The quadratic coefficient.", {}, true}, {"x", "The constant coefficient.", {}, false},
-    {"y", "The linear coefficient.", {}, false},    {"z", "The quadratic coefficient.", {}, false},
-    {"a", "The constant coefficient.", {}, false},  {"b", "The linear coefficient.", {}, false},
-    {"c", "The quadratic coefficient.", {}, false}};
-constexpr std::string_view type_values[] = {"point", "directional", "spot", "area"};
-constexpr AttributeWord type_attributes[] = {
-    {"v", "point: from a position in all directions.", type_values, true}};
-constexpr AttributeWord angle_attributes[] = {{"v", "Degrees, above 0 and up to 180.", {}, true}};
-constexpr AttributeWord penumbra_attributes[] = {
-    {"v", "Degrees, from 0 (a hard edge) to the angle of the spotlight.", {}, true}};
-constexpr AttributeWord width_attributes[] = {{"v", "World units, above 0.", {}, true}};
-constexpr std::string_view parts_of_object[] = {
-    "transblock", "diffuse", "ambient", "specular", "reflective", "transparent",
-    "shininess",  "ior",     "bumpmap", "blend",    "texture"};
+constexpr std::string_view file_text = "The image file, relative to the folder of the scene.";
+constexpr std::array<std::string_view, 2> repeat_texts{
+    "How often the image repeats around the shape.",
+    "How often the image repeats from bottom to top."};
+
+template <typename Use>
+void for_each_row(const Use& use) {
+  const auto each = [&](std::string_view block, const auto& rows) {
+    for (const auto& row : rows) {
+      if (!row.words.about.empty()) {
+        use(block, row);
+      }
+    }
+  };
+  each("globals", global_rows);
+  each("camera", camera_rows);
+  each("light", light_rows);
+  each("material", material_rows);
+}
+
+template <typename Owner>
+std::span<const std::string_view> choices_of(const ValueRow<Owner>& row) {
+  return row.kind == ValueKind::choice ? light_words : std::span<const std::string_view>();
+}
+
+// Values.
+
+std::string default_text(std::string_view value) {
+  return value.empty() ? std::string() : fmt::format(" Default {}.", value);
+}
+
+// The start value in JSON, of an image only its file.
+template <typename Owner>
+std::string json_of(const ValueRow<Owner>& row) {
+  std::string value(row.words.start);
+  if (row.kind == ValueKind::image) {
+    return fmt::format("\"{}\"", value.substr(0, value.find(' ')));
+  }
+  if (row.kind == ValueKind::choice || row.kind == ValueKind::text) {
+    return {};
+  }
+  std::replace(value.begin(), value.end(), ' ', ',');
+  return value.find(',') == value.npos ? value : fmt::format("[{}]", value);
+}
+
+template <typename Owner>
+std::vector<AttributeWord> attributes_of(const ValueRow<Owner>& row) {
+  const std::string_view parts = row.words.parts;
+  std::vector<AttributeWord> words;
+  switch (row.kind) {
+    case ValueKind::vector:
+      return {{"x", "The x part."}, {"y", "The y part."}, {"z", "The z part."}};
+    case ValueKind::color:
+      return {{"r", fmt::format("Red: {}", parts)},
+              {"g", fmt::format("Green: {}", parts)},
+              {"b", fmt::format("Blue: {}", parts)},
+              {"a", "Has no effect: colors have three parts.", {}, false}};
+    case ValueKind::coefficients:
+      for (const std::string_view names : {"v1v2v3", "x y z ", "a b c "}) {
+        constexpr std::array<std::string_view, 3> which{"constant", "linear", "quadratic"};
+        for (std::size_t i = 0; i < which.size(); ++i) {
+          const std::string_view name = names.substr(2 * i, names[2 * i + 1] == ' ' ? 1 : 2);
+          words.push_back({name, fmt::format("The {} coefficient.", which[i]), {}, name[0] == 'v'});
+        }
+      }
+      return words;
+    case ValueKind::image:
+      return {{"file", std::string(file_text)},
+              {"u", std::string(repeat_texts[0]) + default_text("1"), {}, false},
+              {"v", std::string(repeat_texts[1]) + default_text("1"), {}, false}};
+    case ValueKind::number:
+      return {{"v", std::string(parts), {}, row.has_member()}};
+    case ValueKind::id:
+    case ValueKind::choice:
+    case ValueKind::text:
+    case ValueKind::file:
+    case ValueKind::rotation:
+    case ValueKind::matrix:
+      break;
+  }
+  return {{"v", std::string(parts), choices_of(row)}};
+}
+
+template <typename Owner>
+ElementWord element_of(const ValueRow<Owner>& row) {
+  const bool assumed = row.has_default(true);
+  return {
+      row.xml,
+      std::string(row.words.about) + default_text(assumed ? row.words.start : std::string_view()),
+      {},
+      attributes_of(row)};
+}
+
+template <typename Owner>
+void add_keys(std::vector<KeyWord>& keys, const ValueRow<Owner>& row) {
+  const ValueWords& words = row.words;
+  const std::string example = json_of(row);
+  const std::string_view parts = row.kind == ValueKind::image ? file_text : words.parts;
+  keys.push_back({row.json,
+                  words.title,
+                  fmt::format("{}{}{}{}{}", words.about, parts.empty() ? "" : " ",
+                              row.kind == ValueKind::color ? "Red, green, blue: " : "", parts,
+                              default_text(row.has_default(false) ? example : std::string())),
+                  {},
+                  example,
+                  choices_of(row)});
+  for (std::size_t i = 0; i < row.json_repeat.size() && row.kind == ValueKind::image; ++i) {
+    keys.push_back({row.json_repeat[i].key,
+                    row.json_repeat[i].title,
+                    std::string(repeat_texts[i]) + default_text("1"),
+                    {},
+                    "1"});
+  }
+}
+
+std::vector<KeyWord> keys_in(std::string_view wanted, std::vector<KeyWord> keys = {}) {
+  for_each_row([&](std::string_view block, const auto& row) {
+    if (block == wanted && !row.json.empty()) {
+      add_keys(keys, row);
+    }
+  });
+  return keys;
+}
+
+// The rest of the format.
+
 constexpr std::string_view object_types[] = {"tree", "master", "primitive"};
+constexpr std::string_view row_words[] = {"row", "row0", "row1", "row2", "row3"};
 constexpr std::string_view object_names[] = {"cube", "cone", "cylinder", "sphere", "mesh", "root"};
-constexpr AttributeWord object_attributes[] = {
-    {"type", "At the top of the file all objects are trees.", object_types, true},
-    {"name",
-     "The name that instances use; unique among masters. Declare the master before its first use.",
-     object_names, true},
-    {"filename", "The OBJ file, relative to the folder of the scene.", {}, false},
-    {"meshfile",
-     "The OBJ file, relative to the folder of the scene; another name of filename.",
-     {},
-     false}};
-constexpr std::string_view parts_of_transblock[] = {"translate", "rotate", "scale", "matrix",
-                                                    "object"};
-constexpr AttributeWord translate_attributes[] = {{"x", "How far along x.", {}, true},
-                                                  {"y", "How far along y.", {}, true},
-                                                  {"z", "How far along z.", {}, true}};
-constexpr AttributeWord rotate_attributes[] = {
-    {"x", "x of the axis. Its length does not matter, but not all three are 0.", {}, true},
-    {"y", "y of the axis. Its length does not matter, but not all three are 0.", {}, true},
-    {"z", "z of the axis. Its length does not matter, but not all three are 0.", {}, true},
-    {"angle", "Degrees.", {}, true}};
-constexpr AttributeWord scale_attributes[] = {{"x", "The factor along x, not 0.", {}, true},
-                                              {"y", "The factor along y, not 0.", {}, true},
-                                              {"z", "The factor along z, not 0.", {}, true}};
-constexpr std::string_view parts_of_matrix[] = {"row", "row0", "row1", "row2", "row3"};
-constexpr AttributeWord row_attributes[] = {
-    {"a", "Column 1.", {}, true},   {"b", "Column 2.", {}, true},
-    {"c", "Column 3.", {}, true},   {"d", "Column 4: the translation.", {}, true},
-    {"v1", "Column 1.", {}, false}, {"v2", "Column 2.", {}, false},
-    {"v3", "Column 3.", {}, false}, {"v4", "Column 4: the translation.", {}, false}};
-constexpr AttributeWord diffuse_attributes[] = {
-    {"r", "Red, from 0 to 1.", {}, true},
-    {"g", "Green, from 0 to 1.", {}, true},
-    {"b", "Blue, from 0 to 1.", {}, true},
-    {"a", "Has no effect: colors have three parts.", {}, false}};
-constexpr AttributeWord shininess_attributes[] = {
-    {"v", "0 to 10000; 1 to 200 are common.", {}, true}};
-constexpr AttributeWord ior_attributes[] = {
-    {"v", "1.33 for water, 1.5 for glass, 2.4 for diamond; 0 means not given.", {}, true}};
-constexpr AttributeWord bumpmap_attributes[] = {
-    {"file", "The image file, relative to the folder of the scene.", {}, true},
-    {"u", "How often the image repeats around the shape. Default 1.", {}, false},
-    {"v", "How often the image repeats from bottom to top. Default 1.", {}, false}};
-constexpr AttributeWord blend_attributes[] = {
-    {"v", "From 0, only the color, to 1, only the texture.", {}, true}};
-constexpr std::string_view shape_values[] = {"cube", "cone", "cylinder", "sphere", "mesh"};
 
-constexpr ElementWord elements[] = {
-    {"scenefile",
-     "A scene: data about the picture as a whole, one camera, any number of lights, and trees of "
-     "objects, of which the one named root is drawn.",
-     parts_of_scenefile,
-     {}},
-    {"globaldata",
-     "Coefficients that scale the terms of the lighting equation in the whole scene. Optional, as "
-     "is each coefficient.",
-     parts_of_globaldata,
-     {}},
-    {"ambientcoeff",
-     "Scales the ambient color of every object. Default 0.5.",
-     {},
-     ambientcoeff_attributes},
-    {"diffusecoeff",
-     "Scales the diffuse color of every object, but not its texture. Default 0.5.",
-     {},
-     ambientcoeff_attributes},
-    {"specularcoeff",
-     "Scales the specular and the reflected color of every object. Default 0.5.",
-     {},
-     ambientcoeff_attributes},
-    {"transparentcoeff",
-     "Scales the light that passes through transparent objects. Write it if anything is "
-     "transparent: programs differ in the default, 0 or 0.5.",
-     {},
-     ambientcoeff_attributes},
-    {"cameradata",
-     "The camera, at most one. Without it a camera at 5 5 5 looks along -1 -1 -1.",
-     parts_of_cameradata,
-     {}},
-    {"pos", "Where the camera is.", {}, pos_attributes},
-    {"look",
-     "The direction in which the camera looks, of any length. Give look or focus, not both.",
-     {},
-     pos_attributes},
-    {"focus",
-     "The point at which the camera looks. Give focus or look, not both.",
-     {},
-     pos_attributes},
-    {"up",
-     "The direction that is up in the picture, of any length; not parallel to the direction of "
-     "view.",
-     {},
-     pos_attributes},
-    {"heightangle", "The full vertical angle of view.", {}, heightangle_attributes},
-    {"aspectratio",
-     "Has no effect: the aspect ratio is that of the picture.",
-     {},
-     aspectratio_attributes},
-    {"aperture",
-     "The size of the lens, for depth of field. Default 0: everything is sharp.",
-     {},
-     aperture_attributes},
-    {"focallength",
-     "The distance of the plane in focus, for depth of field. Default 0: everything is sharp.",
-     {},
-     aperture_attributes},
-    {"lightdata",
-     "A light. Its type (default: point) determines what else it needs. point: position. "
-     "directional: direction. spot: position, direction, angle and penumbra. area: position, "
-     "direction, width and height.",
-     parts_of_lightdata,
-     {}},
-    {"id",
-     "The number of the light. It has no effect here; some programs use it as an index.",
-     {},
-     id_attributes},
-    {"color", "The color of the light.", {}, color_attributes},
-    {"function",
-     "The attenuation of the light: it is divided by v1 + v2 d + v3 d^2, where d is the distance. "
-     "Default 1 0 0, no attenuation. The numbers may also be named x y z or a b c.",
-     {},
-     function_attributes},
-    {"position", "The position of the light; for an area light, its center.", {}, pos_attributes},
-    {"type", "What kind of light this is. Default point.", {}, type_attributes},
-    {"direction",
-     "The direction in which the light travels, of any length but 0: from the light, not toward "
-     "it.",
-     {},
-     pos_attributes},
-    {"angle",
-     "The half-angle of a spotlight's cone: from its axis to its edge.",
-     {},
-     angle_attributes},
-    {"penumbra",
-     "How far inside the edge of its cone a spotlight begins to fall off.",
-     {},
-     penumbra_attributes},
-    {"width", "The width of an area light.", {}, width_attributes},
-    {"height", "The height of an area light.", {}, width_attributes},
-    {"object",
-     "A tree at the top of the file. The one named root is what is drawn and comes last; the "
-     "others are masters, drawn where an object of type master uses them by name.",
-     parts_of_object, object_attributes},
-    {"transblock",
-     "One object and how it is placed: any number of transformations, then exactly one object, "
-     "then nothing. The last transformation acts first.",
-     parts_of_transblock,
-     {}},
-    {"translate", "Moves.", {}, translate_attributes},
-    {"rotate",
-     "Rotates about an axis through the origin, counterclockwise if the axis points at you.",
-     {},
-     rotate_attributes},
-    {"scale", "Scales about the origin. Negative factors mirror.", {}, scale_attributes},
-    {"matrix",
-     "A 4x4 matrix, four rows from top to bottom. A translation is the last column; the last row "
-     "is 0 0 0 1.",
-     parts_of_matrix,
-     {}},
-    {"row",
-     "A row of the matrix. Its numbers are named a b c d or v1 v2 v3 v4.",
-     {},
-     row_attributes},
-    {"row0",
-     "A row of the matrix. Its numbers are named a b c d or v1 v2 v3 v4.",
-     {},
-     row_attributes},
-    {"row1",
-     "A row of the matrix. Its numbers are named a b c d or v1 v2 v3 v4.",
-     {},
-     row_attributes},
-    {"row2",
-     "A row of the matrix. Its numbers are named a b c d or v1 v2 v3 v4.",
-     {},
-     row_attributes},
-    {"row3",
-     "A row of the matrix. Its numbers are named a b c d or v1 v2 v3 v4.",
-     {},
-     row_attributes},
-    {"diffuse", "The color of the surface in direct light. Default 1 1 1.", {}, diffuse_attributes},
-    {"ambient",
-     "The color of the surface without any light. Default 0 0 0.",
-     {},
-     diffuse_attributes},
-    {"specular",
-     "The color of highlights; needs a shininess above 0. Default 0 0 0.",
-     {},
-     diffuse_attributes},
-    {"reflective",
-     "How much of each color the surface mirrors. Default 0 0 0.",
-     {},
-     diffuse_attributes},
-    {"transparent",
-     "How much of each color passes through. Default 0 0 0.",
-     {},
-     diffuse_attributes},
-    {"shininess",
-     "The exponent of highlights: the larger, the smaller and sharper. Default 0: no highlight.",
-     {},
-     shininess_attributes},
-    {"ior",
-     "The index of refraction of a transparent object. Default 1: light passes straight through.",
-     {},
-     ior_attributes},
-    {"bumpmap", "An image whose brightness is the height of the surface.", {}, bumpmap_attributes},
-    {"blend",
-     "The share of the texture in the diffuse color. Default 0: the texture is not visible.",
-     {},
-     blend_attributes},
-    {"texture",
-     "An image on the surface. Needs a blend above 0 to be visible.",
-     {},
-     bumpmap_attributes}};
+std::vector<ElementWord> all_elements() {
+  std::vector<ElementWord> words;
+  const auto add_block = [&](std::string_view wanted, ElementWord element) {
+    std::vector<ElementWord> values;
+    for_each_row([&](std::string_view block, const auto& row) {
+      if (block == wanted && !row.xml.empty()) {
+        element.children.push_back(row.xml);
+        values.push_back(element_of(row));
+      }
+    });
+    words.push_back(std::move(element));
+    words.insert(words.end(), values.begin(), values.end());
+  };
+  words.push_back(
+      {"scenefile",
+       "A scene: data about the picture as a whole, one camera, any number of lights, and trees of "
+       "objects, of which the one named root is drawn.",
+       {"globaldata", "cameradata", "lightdata", "object"}});
+  add_block(
+      "globals",
+      {"globaldata",
+       "Coefficients that scale the terms of the lighting equation in the whole scene. Optional, "
+       "as is each coefficient."});
+  add_block("camera",
+            {"cameradata",
+             "The camera, at most one. Without it a camera at 5 5 5 looks along -1 -1 -1."});
+  add_block(
+      "light",
+      {"lightdata",
+       "A light. Its type (default: point) determines what else it needs. point: position. "
+       "directional: direction. spot: position, direction, angle and penumbra. area: position, "
+       "direction, width and height."});
+  add_block(
+      "material",
+      {"object",
+       "A tree at the top of the file. The one named root is what is drawn and comes last; the "
+       "others are masters, drawn where an object of type master uses them by name.",
+       {"transblock"},
+       {{"type", "At the top of the file all objects are trees.", object_types},
+        {"name",
+         "The name that instances use; unique among masters. Declare the master before its first "
+         "use.",
+         object_names},
+        {"filename", "The OBJ file, relative to the folder of the scene.", {}, false},
+        {"meshfile",
+         "The OBJ file, relative to the folder of the scene; another name of filename.",
+         {},
+         false}}});
+  words.insert(
+      words.end(),
+      {
+          {"transblock",
+           "One object and how it is placed: any number of transformations, then exactly one "
+           "object, "
+           "then nothing. The last transformation acts first.",
+           {"translate", "rotate", "scale", "matrix", "object"}},
+          {"translate",
+           "Moves.",
+           {},
+           {{"x", "How far along x."}, {"y", "How far along y."}, {"z", "How far along z."}}},
+          {"rotate",
+           "Rotates about an axis through the origin, counterclockwise if the axis points at you.",
+           {},
+           {{"x", "x of the axis. Its length does not matter, but not all three are 0."},
+            {"y", "y of the axis. Its length does not matter, but not all three are 0."},
+            {"z", "z of the axis. Its length does not matter, but not all three are 0."},
+            {"angle", "Degrees."}}},
+          {"scale",
+           "Scales about the origin. Negative factors mirror.",
+           {},
+           {{"x", "The factor along x, not 0."},
+            {"y", "The factor along y, not 0."},
+            {"z", "The factor along z, not 0."}}},
+          {"matrix",
+           "A 4x4 matrix, four rows from top to bottom. A translation is the last column; the last "
+           "row "
+           "is 0 0 0 1.",
+           {std::begin(row_words), std::end(row_words)}},
+      });
+  for (const std::string_view row : row_words) {
+    words.push_back({row,
+                     "A row of the matrix. Its numbers are named a b c d or v1 v2 v3 v4.",
+                     {},
+                     {{"a", "Column 1."},
+                      {"b", "Column 2."},
+                      {"c", "Column 3."},
+                      {"d", "Column 4: the translation."},
+                      {"v1", "Column 1.", {}, false},
+                      {"v2", "Column 2.", {}, false},
+                      {"v3", "Column 3.", {}, false},
+                      {"v4", "Column 4: the translation.", {}, false}}});
+  }
+  return words;
+}
 
-constexpr KeyWord keys_of_scene[] = {
-    {"name", "The name of the scene. It has no effect.", {}, "", "\"my scene\""},
-    {"globalData",
-     "Coefficients that scale the terms of the lighting equation in the whole scene.",
-     {},
-     "globalData",
-     "{}"},
-    {"cameraData", "The position and direction of the camera.", {}, "cameraData", "{}"},
-    {"templateGroups",
-     "Groups that are drawn wherever a group has their name. A template can use the templates "
-     "before it.",
-     {},
-     "templateGroup",
-     "[]"},
-    {"groups", "Everything that is drawn, and all lights.", {}, "group", "[]"}};
-constexpr KeyWord keys_of_globalData[] = {
-    {"ambientCoeff",
-     "Scales the ambient color of every primitive. Usually from 0 to 1.",
-     {},
-     "",
-     "0.5"},
-    {"diffuseCoeff",
-     "Scales the diffuse color of every primitive, but not its texture. Usually from 0 to 1.",
-     {},
-     "",
-     "0.5"},
-    {"specularCoeff",
-     "Scales the specular and the reflected color of every primitive. Usually from 0 to 1.",
-     {},
-     "",
-     "0.5"},
-    {"transparentCoeff",
-     "Scales the light that passes through transparent primitives. Write it if anything is "
-     "transparent: programs differ in the default, 0 or 0.5.",
-     {},
-     "",
-     "0.5"}};
-constexpr KeyWord keys_of_cameraData[] = {
-    {"position", "Where the camera is: x, y, z.", {}, "", "[5,5,5]"},
-    {"look",
-     "The direction in which the camera looks, of any length. Give look or focus, not both.",
-     {},
-     "",
-     "[-1,-1,-1]"},
-    {"focus",
-     "The point at which the camera looks. Give focus or look, not both.",
-     {},
-     "",
-     "[0,0,0]"},
-    {"up",
-     "The direction that is up in the picture, of any length; not parallel to the direction of "
-     "view.",
-     {},
-     "",
-     "[0,1,0]"},
-    {"heightAngle",
-     "The full vertical angle of view in degrees, above 0 and below 180. 30 to 60 are common.",
-     {},
-     "",
-     "45"},
-    {"aperture",
-     "The size of the lens in world units, for depth of field. 0: everything is sharp.",
-     {},
-     "",
-     "0"},
-    {"focalLength",
-     "The distance of the plane in focus in world units, for depth of field. 0: everything is "
-     "sharp.",
-     {},
-     "",
-     "0"}};
-constexpr KeyWord keys_of_group[] = {
-    {"name",
-     "A name for readers of the file. If a template group has the same name, the group is an "
-     "instance of it, and must contain nothing else: to place an instance, put it into a group "
-     "with the transforms.",
-     {},
-     "",
-     "\"chair\""},
-    {"translate",
-     "Moves the group by x, y, z. Acts after scale and rotate, whatever the order of the keys.",
-     {},
-     "",
-     "[0,1,0]"},
-    {"rotate",
-     "Rotates the group: x, y, z of the axis, which is not 0 0 0, then degrees, counterclockwise "
-     "if the axis points at you. Acts after scale and before translate.",
-     {},
-     "",
-     "[0,1,0,90]"},
-    {"scale",
-     "Scales the group along x, y, z by factors other than 0; negative ones mirror. Acts before "
-     "rotate and translate.",
-     {},
-     "",
-     "[1,1,1]"},
-    {"matrix",
-     "A 4x4 matrix, row by row. A translation is the last column; the last row is 0 0 0 1. Acts "
-     "before scale, rotate and translate; some programs do not accept it next to other transforms.",
-     {},
-     "",
-     "[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"},
-    {"lights",
-     "Lights at the origin of the group; its transforms move and rotate them.",
-     {},
-     "light",
-     "[]"},
-    {"primitives",
-     "Shapes about the origin of the group; its transforms place them.",
-     {},
-     "primitive",
-     "[]"},
-    {"groups",
-     "Groups in this group; their own transforms act first, then those of this group.",
-     {},
-     "group",
-     "[]"}};
-constexpr KeyWord keys_of_light[] = {
-    {"type",
-     "point: from the origin of the group in all directions. directional: parallel light from "
-     "infinitely far away. spot: from the origin of the group into a cone. area: from a rectangle "
-     "about the origin of the group; the course's reader rejects it.",
-     type_values, "", ""},
-    {"name", "A name for readers of the file.", {}, "", ""},
-    {"color",
-     "Red, green, blue: 0 none, 1 full; above 1 for a bright light with attenuation.",
-     {},
-     "",
-     "[1,1,1]"},
-    {"attenuationCoeff",
-     "The attenuation of the light: it is divided by c + l d + q d^2, where d is the distance, for "
-     "[c, l, q]. [1, 0, 0] means no attenuation. No effect on a directional light.",
-     {},
-     "",
-     "[1,0,0]"},
-    {"direction",
-     "The direction in which the light travels, of any length but 0: from the light, not toward "
-     "it. No effect on a point light.",
-     {},
-     "",
-     "[0,-1,0]"},
-    {"penumbra",
-     "How many degrees inside the edge of its cone a spotlight begins to fall off: from 0 (a hard "
-     "edge) to the angle.",
-     {},
-     "",
-     "5"},
-    {"angle",
-     "The half-angle of a spotlight's cone in degrees, from its axis to its edge, above 0 and up "
-     "to 180.",
-     {},
-     "",
-     "30"},
-    {"width", "The width of an area light in world units, above 0.", {}, "", "1"},
-    {"height", "The height of an area light in world units, above 0.", {}, "", "1"}};
-constexpr KeyWord keys_of_primitive[] = {
-    {"type", "cube, cone (its tip at y = 0.5), cylinder, sphere, or mesh, which needs meshFile.",
-     shape_values, "", ""},
-    {"meshFile",
-     "The OBJ file of a mesh, relative to the folder of the scene.",
-     {},
-     "",
-     "\"meshes/teapot.obj\""},
-    {"ambient",
-     "The color of the surface without any light: red, green, blue from 0 to 1.",
-     {},
-     "",
-     "[0,0,0]"},
-    {"diffuse",
-     "The color of the surface in direct light: red, green, blue from 0 to 1.",
-     {},
-     "",
-     "[1,1,1]"},
-    {"specular",
-     "The color of highlights: red, green, blue from 0 to 1. Needs a shininess above 0.",
-     {},
-     "",
-     "[0,0,0]"},
-    {"reflective",
-     "How much of each color the surface mirrors: red, green, blue from 0 to 1.",
-     {},
-     "",
-     "[0,0,0]"},
-    {"transparent",
-     "How much of each color passes through: red, green, blue from 0 to 1.",
-     {},
-     "",
-     "[0,0,0]"},
-    {"shininess",
-     "The exponent of highlights: the larger, the smaller and sharper. 0: no highlight; 1 to 200 "
-     "are common.",
-     {},
-     "",
-     "25"},
-    {"ior",
-     "The index of refraction of a transparent primitive: 1.33 for water, 1.5 for glass, 2.4 for "
-     "diamond. Default 1: light passes straight through.",
-     {},
-     "",
-     "1"},
-    {"blend",
-     "The share of the texture in the diffuse color, from 0, only the color, to 1, only the "
-     "texture.",
-     {},
-     "",
-     "0"},
-    {"textureFile",
-     "An image on the surface, relative to the folder of the scene. Needs a blend above 0 to be "
-     "visible.",
-     {},
-     "",
-     "\"textures/wood.png\""},
-    {"textureU", "How often the texture repeats around the shape.", {}, "", "1"},
-    {"textureV", "How often the texture repeats from bottom to top.", {}, "", "1"},
-    {"bumpMapFile",
-     "An image whose brightness is the height of the surface, relative to the folder of the scene.",
-     {},
-     "",
-     "\"textures/bumps.png\""},
-    {"bumpMapU", "How often the bump map repeats around the shape.", {}, "", "1"},
-    {"bumpMapV", "How often the bump map repeats from bottom to top.", {}, "", "1"}};
+std::vector<ObjectWord> all_objects() {
+  const std::vector<KeyWord> group{
+      {"name",
+       "Name",
+       "A name for readers of the file. If a template group has the same name, the group is an "
+       "instance of it, and must contain nothing else: to place an instance, put it into a group "
+       "with the transforms.",
+       {},
+       "\"chair\""},
+      {"translate",
+       "Translation",
+       "Moves the group by x, y, z. Acts after scale and rotate, whatever the order of the keys.",
+       {},
+       "[0,1,0]"},
+      {"rotate",
+       "Rotation",
+       "Rotates the group: x, y, z of the axis, which is not 0 0 0, then degrees, counterclockwise "
+       "if the axis points at you. Acts after scale and before translate.",
+       {},
+       "[0,1,0,90]"},
+      {"scale",
+       "Scale",
+       "Scales the group along x, y, z by factors other than 0; negative ones mirror. Acts before "
+       "rotate and translate.",
+       {},
+       "[1,1,1]"},
+      {"matrix",
+       "Matrix",
+       "A 4x4 matrix, row by row. A translation is the last column; the last row is 0 0 0 1. Acts "
+       "before scale, rotate and translate; some programs do not accept it next to other "
+       "transforms.",
+       {},
+       "[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"},
+      {"lights", "Lights",
+       "Lights at the origin of the group; its transforms move and rotate them.", "light", "[]"},
+      {"primitives", "Primitives",
+       "Shapes about the origin of the group; its transforms place them.", "primitive", "[]"},
+      {"groups", "Groups",
+       "Groups in this group; their own transforms act first, then those of this group.", "group",
+       "[]"},
+  };
+  return {
+      {"",
+       {
+           {"name", "Name", "The name of the scene. It has no effect.", {}, "\"my scene\""},
+           {"globalData", "Globals",
+            "Coefficients that scale the terms of the lighting equation in the whole scene.",
+            "globalData", "{}"},
+           {"cameraData", "Camera", "The position and direction of the camera.", "cameraData",
+            "{}"},
+           {"templateGroups", "Templates",
+            "Groups that are drawn wherever a group has their name. A template can use the "
+            "templates before it.",
+            "templateGroup", "[]"},
+           {"groups", "Groups", "Everything that is drawn, and all lights.", "group", "[]"},
+       }},
+      {"globalData", keys_in("globals")},
+      {"cameraData", keys_in("camera")},
+      {"group", group},
+      {"templateGroup", group},
+      {"light", keys_in("light")},
+      {"primitive",
+       keys_in(
+           "material",
+           {
+               {"type",
+                "Shape",
+                "cube, cone (its tip at y = 0.5), cylinder, sphere, or mesh, which needs meshFile.",
+                {},
+                {},
+                shape_words},
+               {"meshFile",
+                "Mesh file",
+                "The OBJ file of a mesh, relative to the folder of the scene.",
+                {},
+                "\"meshes/teapot.obj\""},
+           })}};
+}
 
-constexpr ObjectWord objects[] = {{"", keys_of_scene},
-                                  {"globalData", keys_of_globalData},
-                                  {"cameraData", keys_of_cameraData},
-                                  {"group", keys_of_group},
-                                  {"templateGroup", keys_of_group},
-                                  {"light", keys_of_light},
-                                  {"primitive", keys_of_primitive}};
+std::vector<ValueWord> all_values() {
+  std::vector<ValueWord> values;
+  for_each_row([&](std::string_view block, const auto& row) {
+    ValueWord& value =
+        values.emplace_back(ValueWord{block, row.xml, row.json, row.kind, row.range});
+    value.required_in_xml = is_needed(row.need, true);
+    value.required_in_json = is_needed(row.need, false) && row.used_by == every_light;
+    for (const RepeatKey& repeat : row.json_repeat) {
+      if (!repeat.key.empty()) {
+        value.repeats.push_back(repeat.key);
+      }
+    }
+    value.fallback = row.has_default(false) ? json_of(row) : std::string();
+    if constexpr (std::is_same_v<decltype(row), const ValueRow<Light>&>) {
+      for (std::size_t i = 0; i < light_words.size() && row.used_by != every_light; ++i) {
+        const auto type = static_cast<LightType>(i);
+        if (row.used_by_type(type)) {
+          value.used_by.push_back(light_words[i]);
+        }
+        if (light_needs(type, row, false)) {
+          value.needed_by.push_back(light_words[i]);
+        }
+      }
+    }
+  });
+  return values;
+}
 
 template <typename T>
 const T* find_word(std::span<const T> words, std::string_view name) {
@@ -502,11 +355,18 @@ const T* find_word(std::span<const T> words, std::string_view name) {
 }  // namespace
 
 std::span<const ElementWord> element_words() {
-  return elements;
+  static const std::vector<ElementWord> words = all_elements();
+  return words;
 }
 
 std::span<const ObjectWord> object_words() {
-  return objects;
+  static const std::vector<ObjectWord> words = all_objects();
+  return words;
+}
+
+std::span<const ValueWord> value_words() {
+  static const std::vector<ValueWord> words = all_values();
+  return words;
 }
 
 const ElementWord* find_element(std::string_view name) {
@@ -514,7 +374,7 @@ const ElementWord* find_element(std::string_view name) {
 }
 
 const AttributeWord* find_attribute(const ElementWord& element, std::string_view name) {
-  return find_word(element.attributes, name);
+  return find_word(std::span(element.attributes), name);
 }
 
 const ObjectWord* find_object(std::string_view name) {
@@ -522,7 +382,7 @@ const ObjectWord* find_object(std::string_view name) {
 }
 
 const KeyWord* find_key(const ObjectWord& object, std::string_view name) {
-  return find_word(object.keys, name);
+  return find_word(std::span(object.keys), name);
 }
 
 }  // namespace scenefile

@@ -106,33 +106,33 @@ class FieldRow {
   void build_value() {
     const float left = ImGui::GetCursorPosX();
     switch (field_.kind) {
-      case FieldKind::color:
+      case ValueKind::color:
         build_color();
         break;
-      case FieldKind::choice:
+      case ValueKind::choice:
         build_choice();
         break;
-      case FieldKind::text:
-      case FieldKind::id:
+      case ValueKind::text:
+      case ValueKind::id:
         build_text(0, width_);
         break;
-      case FieldKind::file:
+      case ValueKind::file:
         build_file(width_);
         break;
-      case FieldKind::image:
+      case ValueKind::image:
         build_file(width_);
         ImGui::SetCursorPosX(left);
         build_numbers(1, 2);
         break;
-      case FieldKind::matrix:
+      case ValueKind::matrix:
         for (std::size_t row = 0; row < 4; ++row) {
           build_numbers(4 * row, 4);
         }
         break;
-      case FieldKind::number:
-      case FieldKind::vector:
-      case FieldKind::coefficients:
-      case FieldKind::rotation:
+      case ValueKind::number:
+      case ValueKind::vector:
+      case ValueKind::coefficients:
+      case ValueKind::rotation:
         build_numbers(0, field_.parts.size());
         break;
     }
@@ -369,7 +369,7 @@ void build_fields_to_add(Session& session, const Document& document, ItemId item
       continue;
     }
     const std::string title(field.title);
-    const bool has_file = field.kind == FieldKind::file || field.kind == FieldKind::image;
+    const bool has_file = field.kind == ValueKind::file || field.kind == ValueKind::image;
     std::string file;
     if (has_file ? build_menu_of_files(session, title.c_str(), use_of(field), file)
                  : ImGui::MenuItem(title.c_str())) {

@@ -1,6 +1,7 @@
 #include "scenefile/base/number.h"
 #include "scenefile/scene/check_parts.h"
 #include "scenefile/scene/codes.h"
+#include "scenefile/scene/vocabulary.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +11,6 @@ namespace scenefile {
 
 namespace {
 
-constexpr float huge_coefficient = 100;
 // Beyond this, adjacent floats are 1 apart.
 constexpr float far_away = 1e7f;
 // Sine of the angle between look and up. Below `parallel`, the rounding of the file's numbers
@@ -18,17 +18,13 @@ constexpr float far_away = 1e7f;
 constexpr double parallel = 1e-6;
 constexpr double nearly_parallel = 1e-3;
 
-void check_coefficient(float value, Field field, std::string_view name, const Subject& global,
+void check_coefficient(const ValueRow<Global>& row, float value, const Subject& global,
                        Reporter& reporter) {
-  if (!reporter.finite(global, field, name, value)) {
-    return;
-  }
-  if (value < 0) {
-    reporter.report(global_negative, global, field,
-                    fmt::format("{} {} is negative", name, number_text(value)));
-  } else if (value > huge_coefficient) {
-    reporter.report(global_huge, global, field,
-                    fmt::format("{} {} is far above 1", name, number_text(value)));
+  if (reporter.finite(global, *row.field, row.xml, value) && !row.range.contains(value)) {
+    const bool negative = value < row.range.low;
+    reporter.report(negative ? global_negative : global_huge, global, *row.field,
+                    fmt::format("{} {} is {}", row.xml, number_text(value),
+                                negative ? "negative" : "far above 1"));
   }
 }
 
@@ -88,12 +84,11 @@ void check_lens(const Camera& camera, const Subject& subject, Reporter& reporter
 
 void check_global(const Global& global, Reporter& reporter) {
   const Subject subject{"global data", global.location, no_node, global.unread};
-  check_coefficient(global.ambient, Field::ambient, "ambientcoeff", subject, reporter);
-  check_coefficient(global.diffuse, Field::diffuse, "diffusecoeff", subject, reporter);
-  check_coefficient(global.specular, Field::specular, "specularcoeff", subject, reporter);
-  if (global.transparent) {
-    check_coefficient(*global.transparent, Field::transparent, "transparentcoeff", subject,
-                      reporter);
+  for (const ValueRow<Global>& row : global_rows) {
+    const auto* const number = std::get_if<float Global::*>(&row.member);
+    if (const std::optional<float> value = number ? global.**number : global.transparent) {
+      check_coefficient(row, *value, subject, reporter);
+    }
   }
 }
 
@@ -106,9 +101,8 @@ void check_camera(const Camera& camera, Reporter& reporter) {
                                 vector_text(camera.position)));
   }
   check_directions(camera, subject, reporter);
-  // Negated to catch NaN too.
   if (!camera.unread.contains(Field::height_angle_deg) &&
-      !(camera.height_angle_deg > 0 && camera.height_angle_deg < 180)) {
+      !row_of(camera_rows, Field::height_angle_deg).range.contains(camera.height_angle_deg)) {
     reporter.report(camera_height_angle, subject, Field::height_angle_deg,
                     fmt::format("heightangle {} is not between 0 and 180 degrees",
                                 number_text(camera.height_angle_deg)));

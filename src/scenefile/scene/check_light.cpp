@@ -11,9 +11,7 @@ namespace scenefile {
 
 namespace {
 
-// Bright lights with attenuation are common (colors up to 200 in files by students of the course).
-constexpr float huge_fading_color = 1e4f;
-constexpr float huge_steady_color = 16;
+constexpr double huge_steady_color = 16;
 
 bool fades(const Light& light) {
   return light_uses(light.type, Field::attenuation) &&
@@ -29,7 +27,7 @@ void check_color(const Light& light, const Subject& subject, Reporter& reporter)
         light_color_negative, subject, Field::color,
         fmt::format("color {} of the {} is negative", vector_text(light.color), subject.what));
   }
-  if (largest(light.color) > (fades(light) ? huge_fading_color : huge_steady_color)) {
+  if (largest(light.color) > (fades(light) ? ranges::light_color.high : huge_steady_color)) {
     reporter.report(
         light_color_huge, subject, Field::color,
         fmt::format("color {} of the {} is far above 1{}", vector_text(light.color), subject.what,
@@ -68,7 +66,7 @@ void check_angle(const Light& light, const Subject& subject, Reporter& reporter)
   if (!reporter.finite(subject, Field::angle_deg, "angle", angle)) {
     return;
   }
-  if (angle <= 0 || angle > 180) {
+  if (!row_of(light_rows, Field::angle_deg).range.contains(angle)) {
     reporter.report(light_angle_range, subject, Field::angle_deg,
                     fmt::format("angle {} of the spotlight is not between 0 and 180 degrees{}",
                                 number_text(angle), angle <= 0 ? "; it lights nothing" : ""));

@@ -2,6 +2,7 @@
 #include "scenefile/base/text.h"
 #include "scenefile/scene/check_parts.h"
 #include "scenefile/scene/codes.h"
+#include "scenefile/scene/vocabulary.h"
 
 #include <fmt/format.h>
 
@@ -12,35 +13,29 @@ namespace scenefile {
 
 namespace {
 
-constexpr float byte_habit = 16;  // no student's file uses a larger color on purpose
 constexpr float huge_color = 255;
-constexpr float huge_shininess = 1e4f;
 constexpr float min_ior = 0.25f;
-constexpr float max_ior = 5;
-constexpr float small_repeat = 1e-3f;
-constexpr float large_repeat = 1e4f;
 
-struct Color {
-  Field field;
-  std::string_view name;
-  const glm::vec3& value;
-};
+const NumberRange& range_of(Field field) {
+  return row_of(material_rows, field).range;
+}
 
-void check_color(const Color& color, const Subject& subject, Reporter& reporter) {
-  if (!reporter.finite(subject, color.field, color.name, color.value)) {
+void check_color(const ValueRow<Material>& row, const glm::vec3& color, const Subject& subject,
+                 Reporter& reporter) {
+  if (!reporter.finite(subject, *row.field, row.xml, color)) {
     return;
   }
   const auto report = [&](const Code& code, std::string_view what) {
-    reporter.report(code, subject, color.field,
-                    fmt::format("{} {} of the {} is {}", color.name, vector_text(color.value),
-                                subject.what, what));
+    reporter.report(
+        code, subject, *row.field,
+        fmt::format("{} {} of the {} is {}", row.xml, vector_text(color), subject.what, what));
   };
-  if (smallest(color.value) < 0) {
+  if (smallest(color) < row.range.low) {
     report(material_color_negative, "negative");
   }
-  if (largest(color.value) > huge_color) {
+  if (largest(color) > huge_color) {
     report(material_color_huge, "far above 1");
-  } else if (largest(color.value) > byte_habit) {
+  } else if (largest(color) > row.range.high) {
     report(material_color_255, "far above 1; did you mean a value out of 255?");
   }
 }
@@ -56,7 +51,7 @@ void check_highlight(const Material& material, const Subject& subject, Reporter&
   };
   if (material.shininess < 0) {
     report(material_shininess_negative, "is negative; it counts as 0, no highlight");
-  } else if (material.shininess > huge_shininess) {
+  } else if (material.shininess > range_of(Field::shininess).high) {
     report(material_shininess_huge, "makes a highlight too small to see");
   } else if (material.shininess == 0 && largest(glm::abs(material.specular)) > 0) {
     reporter.report(material_specular_without_shininess, subject, Field::specular,
@@ -79,7 +74,7 @@ void check_refraction(const Material& material, const Subject& subject, Reporter
                     fmt::format("ior 0 of the transparent {} counts as 1, so light passes straight "
                                 "through it; glass has 1.5",
                                 subject.what));
-  } else if (ior != 0 && (ior < min_ior || ior > max_ior)) {
+  } else if (ior != 0 && (ior < min_ior || ior > range_of(Field::ior).high)) {
     reporter.report(material_ior_unusual, subject, Field::ior,
                     fmt::format("ior {} of the {} is not that of a real material", number_text(ior),
                                 subject.what));
@@ -115,8 +110,7 @@ void check_texture(const TextureUse& texture, std::string_view name, const Subje
   }
   const std::pair<char, float> repeats[] = {{'u', texture.repeat_u}, {'v', texture.repeat_v}};
   for (const auto& [axis, repeat] : repeats) {
-    const float size = std::abs(repeat);
-    if (repeat < 0 || !(size >= small_repeat && size <= large_repeat)) {
+    if (!ranges::repeats.contains(repeat)) {
       reporter.report(std::isfinite(repeat) ? material_repeat : scene_not_finite, place,
                       fmt::format("{} {} repeats {} times along {}", name, quoted(texture.file),
                                   number_text(repeat), axis));
@@ -129,7 +123,7 @@ void check_blend(const Material& material, const Subject& subject, Reporter& rep
     return;
   }
   const float blend = material.blend;
-  if (blend < 0 || blend > 1) {
+  if (!range_of(Field::blend).contains(blend)) {
     reporter.report(material_blend_range, subject, Field::blend,
                     fmt::format("blend {} of the {} is not between 0 and 1; it counts as {}",
                                 number_text(blend), subject.what, blend < 0 ? 0 : 1));
@@ -156,12 +150,10 @@ void check_primitive(const Primitive& primitive, NodeId node, const Global& glob
     reporter.report(tree_mesh_without_file, subject, Field::mesh_file,
                     "the mesh names no file (filename or meshfile, JSON meshFile)");
   }
-  for (const Color& color : {Color{Field::ambient, "ambient", m.ambient},
-                             {Field::diffuse, "diffuse", m.diffuse},
-                             {Field::specular, "specular", m.specular},
-                             {Field::reflective, "reflective", m.reflective},
-                             {Field::transparent, "transparent", m.transparent}}) {
-    check_color(color, subject, reporter);
+  for (const ValueRow<Material>& row : material_rows) {
+    if (const auto* const color = std::get_if<glm::vec3 Material::*>(&row.member)) {
+      check_color(row, m.**color, subject, reporter);
+    }
   }
   check_highlight(m, subject, reporter);
   check_refraction(m, subject, reporter);

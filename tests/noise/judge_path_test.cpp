@@ -2,6 +2,7 @@
 
 #include "path/full_room.h"
 #include "scenefile/noise/linearize.h"
+#include "scenefile/path/path_kernel.h"
 #include "scenefile/path/render_path.h"
 #include "scenefile/path/tone.h"
 
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace scenefile {
 
@@ -54,10 +56,9 @@ struct Judge : ::testing::Test {
     picture.texture = quantize(picture.linear, Rounding::nearest);
     return picture;
   }
-  // As if light of lamps fell off by the distance: by block the picture of the change itself.
-  DecodedPicture with_distance(DecodedPicture picture) const {
-    const ChangedPicture& changed =
-        truth.changes[static_cast<std::size_t>(Change::falloff_distance)];
+  // By block the picture of the change itself.
+  DecodedPicture with(Change change, DecodedPicture picture) const {
+    const ChangedPicture& changed = truth.changes[static_cast<std::size_t>(change)];
     for (int y = 0; y < 64; ++y) {
       for (int x = 0; x < 64; ++x) {
         const std::size_t block = std::size_t(y / block_side) * truth.columns + x / block_side;
@@ -143,13 +144,48 @@ TEST_F(Judge, NamesFactorsOfDirectLightByTheScene) {
 }
 
 TEST_F(Judge, NamesAMistakeOfTheDistance) {
-  EXPECT_EQ(names(judge_path(truth, with_distance(drawn())).causes), "distance ");
+  EXPECT_EQ(names(judge_path(truth, with(Change::falloff_distance, drawn())).causes), "distance ");
+}
+
+TEST_F(Judge, NamesPathsThatLoseColor) {
+  for (const Change change : {Change::gray_by_luminance, Change::gray_by_mean}) {
+    EXPECT_EQ(names(judge_path(truth, with(change, drawn())).causes), "gray-throughput ");
+  }
+}
+
+TEST_F(Judge, NamesPointsBesideLamps) {
+  PathTruth with_variants = truth;
+  ASSERT_EQ(draw_variants(room.scene, room.assets, options, 2, {}, with_variants),
+            RenderStatus::complete);
+  PathScene paths(traced, room.scene, options);
+  paths.lamps.cover_parallelograms();
+  DecodedPicture picture = drawn();
+  for (int y = 0; y < 64; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      RayCounts counts;
+      Color sum(0);
+      for (std::uint32_t i = 0; i < 32; ++i) {
+        sum += path_light(paths, x, y, i, counts);
+      }
+      for (int c = 0; c < 3; ++c) {
+        picture.linear.pixel(x, y)[c] = static_cast<float>(sum[c] / 32);
+      }
+    }
+  }
+  EXPECT_EQ(names(judge_path(with_variants, picture).causes), "lamp-points ");
+}
+
+TEST_F(Judge, NamesAnotherAngleOfView) {
+  room.look({0, 1, 0.95}, {0, 1.1, 0}, 104);
+  const PathVerdict verdict = judge_path(truth, drawn());
+  ASSERT_EQ(names(verdict.causes), "view-angle ");
+  EXPECT_THAT(verdict.causes[0].what, ::testing::ContainsRegex("10[345].* degrees, not of 95"));
 }
 
 TEST_F(Judge, NamesTwoMistakes) {
   options.max_depth = 1;
   DecodedPicture picture = drawn();
-  const PathVerdict first = judge_path(truth, with_distance(picture));
+  const PathVerdict first = judge_path(truth, with(Change::falloff_distance, picture));
   ASSERT_EQ(first.partial.size(), 1);
   EXPECT_THAT(first.partial[0].what, ::testing::HasSubstr("indirect light is missing"));
   EXPECT_THAT(first.partial[0].what, ::testing::HasSubstr("distance"));
@@ -193,6 +229,29 @@ TEST_F(Judge, FindsGammaInLinearFiles) {
   }
 }
 
+// Each pixel of a patch has the same error.
+TEST_F(Judge, NamesNoiseThatPixelsShare) {
+  options.width = options.height = 96;
+  options.samples = 64;
+  PathTruth larger;
+  ASSERT_EQ(draw_truth(traced, room.scene, options, 0, 64, {}, larger), RenderStatus::complete);
+  options.seed = 5;
+  DecodedPicture picture = drawn();
+  EXPECT_EQ(names(judge_path(larger, picture).causes), "");
+  std::mt19937 random(3);
+  std::vector<float> factors(64);
+  std::generate(factors.begin(), factors.end(),
+                [&] { return std::normal_distribution<float>(1, 0.08f)(random); });
+  for (int y = 0; y < 96; ++y) {
+    for (int x = 0; x < 96; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        picture.linear.pixel(x, y)[c] *= factors[std::size_t(y / 12 * 8 + x / 12)];
+      }
+    }
+  }
+  EXPECT_EQ(names(judge_path(larger, picture).causes), "same-numbers ");
+}
+
 TEST_F(Judge, SaysWhenItIsTooNoisy) {
   options.samples = 1;
   options.light_samples = 0;
@@ -209,7 +268,7 @@ TEST_F(Judge, ReadsToneMappedPictures) {
 }
 
 TEST_F(Judge, ReadsToneMappedPicturesThatAreWrong) {
-  const PathVerdict distance = judge_path(truth, shown(with_distance(drawn())));
+  const PathVerdict distance = judge_path(truth, shown(with(Change::falloff_distance, drawn())));
   EXPECT_EQ(distance.curve, "the tone curve of the course");
   EXPECT_EQ(names(distance.causes), "distance ");
   EXPECT_EQ(names(judge_path(truth, shown(drawn(), 2.2)).causes), "");

@@ -237,5 +237,24 @@ TEST(PathBsdf, FilesNormalsDecideWhatIsInside) {
   EXPECT_EQ(below.geometric, -up);
 }
 
+TEST(PathBsdf, UniformDirectionsHaveTheSameMean) {
+  Bsdf both = rough_ones()[3].bsdf;
+  both.mirror = Color(0.2);
+  const Facing facing = seen_from(40);
+  Uniform random(7);
+  constexpr int count = 1 << 18;
+  Color sum(0);
+  Color uniform(0);
+  for (int i = 0; i < count; ++i) {
+    sum += sample(both, facing, random(), {random(), random()}).weight / double(count);
+    const BsdfSample s = sample_uniformly(both, facing, random(), {random(), random()});
+    uniform += s.weight / double(count);
+    ASSERT_GT(glm::dot(s.to_light, facing.normal), 0);
+  }
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(uniform[c], sum[c], 0.01 * sum[c]) << c;
+  }
+}
+
 }  // namespace
 }  // namespace scenefile::path_test

@@ -153,5 +153,20 @@ TEST(PathLamps, SceneWithoutEmissionHasNone) {
   EXPECT_TRUE(lamps_of(traced).empty());
 }
 
+TEST(PathLamps, ParallelogramsHaveBothHalves) {
+  Room room;
+  Model model;
+  model.mesh.positions = {{0, 0, 0}, {4, 0, 0}, {1, 3, 0}};
+  model.mesh.triangles = {{0, 1, 2}};
+  model.materials.of_triangle = {model.material(diffuse(glm::vec3(0), glm::vec3(2)))};
+  room.add(model);
+  const TraceScene traced(room.scene, room.assets);
+  Lamps lamps = lamps_of(traced);
+  lamps.cover_parallelograms();
+  const LampPoint p = lamps.sample({0.75, 0.5});
+  EXPECT_NEAR(glm::distance(p.position, glm::dvec3(3.5, 1.5, 0)), 0, 1e-6);
+  EXPECT_NEAR(p.density, 1 / 6.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace scenefile::path_test

@@ -225,10 +225,28 @@ class Tracer {
     if (on("indirect-half")) {
       factor *= 0.5;
     }
-    return light + factor * radiance({hit.p, to}, depth + 1, on("bsdf-only"));
+    if (on("gray-throughput") || on("mean-throughput")) {
+      factor = dvec3(on("mean-throughput") ? (factor.x + factor.y + factor.z) / 3 : gray(factor));
+    }
+    const dvec3 next = radiance({hit.p, to}, depth + 1, on("bsdf-only"));
+    if (on("throughput-replaced")) {
+      replaced_ += factor * next;
+      return light;
+    }
+    return light + factor * next;
+  }
+
+  // The light of a path. With a throughput that is replaced, not multiplied, each surface's light
+  // has only the factor of the surface before it.
+  dvec3 light_of(const Ray& r) {
+    replaced_ = dvec3(0);
+    const dvec3 first = radiance(r, 0, true);
+    return first + replaced_;
   }
 
  private:
+  static double gray(const dvec3& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
+
   static dvec3 emission(const Material& m) {
     return on("emission-twice") ? 2.0 * m.ke : on("emission-half") ? 0.5 * m.ke : m.ke;
   }
@@ -290,7 +308,6 @@ class Tracer {
     if (on("kd-missing-indirect") && !is_direct) {
       kd = kd == dvec3(0) ? kd : dvec3(1);
     }
-    const auto gray = [](const dvec3& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; };
     if (on("lobe-alone") && gray(m.ks) > gray(m.kd)) {
       kd = dvec3(0);
     }
@@ -359,7 +376,7 @@ class Tracer {
       const double w = uniform(), all = u + v + w;
       u /= all;
       v /= all;
-    } else if (u + v > 1) {
+    } else if (u + v > 1 && !on("parallelogram")) {
       u = 1 - u;
       v = 1 - v;
     }
@@ -475,6 +492,7 @@ class Tracer {
   }
 
   std::mt19937 random_;
+  dvec3 replaced_{0};
 };
 
 void add_mesh(const scenefile::Assets& assets, std::uint32_t mesh_index,
@@ -598,7 +616,9 @@ int main(int argc, char** argv) {
   }
   build(0, static_cast<int>(triangles.size()));
   const scenefile::RenderCamera& camera = scene.ready.scene.camera;
-  const double tangent = std::tan(camera.fov_y / 2);
+  const double tangent = on("angle-whole")
+                             ? std::tan(camera.fov_y)
+                             : std::tan(camera.fov_y / 2 * std::atof(setting("angle", "1")));
   scenefile::Image image(width, height);
   Tracer tracer(seed * 7919u + 1);
   const int grid = std::max(1, static_cast<int>(std::sqrt(samples)));
@@ -625,8 +645,8 @@ int main(int argc, char** argv) {
         }
         const double a = (2 * (x + dx) / width - 1) * tangent * width / height;
         const double b = (1 - 2 * (y + dy) / height) * tangent;
-        dvec3 light = tracer.radiance(
-            {camera.position, normalize(-camera.w + a * camera.u + b * camera.v)}, 0, true);
+        dvec3 light =
+            tracer.light_of({camera.position, normalize(-camera.w + a * camera.u + b * camera.v)});
         if (clamp > 0) {
           light = glm::min(light, dvec3(clamp));
         }

@@ -1,12 +1,16 @@
 #include "scenefile/noise/judge_path.h"
 
+#include "scenefile/noise/growing_light.h"
+#include "scenefile/noise/other_view.h"
 #include "scenefile/noise/path_meanings.h"
 #include "scenefile/noise/picture_readings.h"
+#include "scenefile/noise/shared_noise.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <tuple>
 
@@ -16,6 +20,9 @@ namespace {
 
 // The standard error of a block, relative to its light, beyond which the noise cannot be measured.
 constexpr double too_much_noise = 0.25;
+
+// More mistakes that give the same picture are no help.
+constexpr std::size_t most_named = 3;
 
 std::string factor_text(double factor, double error) {
   return fmt::format("factor {:.3f} +- {:.3f}", factor, error);
@@ -188,11 +195,13 @@ double effect_of(const TruthBlocks& back, const PathModel& model) {
     for (std::size_t i = 0; i < model.free.size(); ++i) {
       value += model.fit.factors[i] * model.free[i][b];
     }
-    const double truth = luminance(back.all[b]);
-    const double off = std::abs(luminance(value) - truth);
-    if (back.left_out[b] == 0 && off > 0.02 * truth) {
-      changed += off;
-      light += truth;
+    for (int c = 0; c < 3; ++c) {  // a mistake may leave the luminance as it is
+      const double truth = back.all[b][c];
+      const double off = std::abs(value[c] - truth);
+      if (back.left_out[b] == 0 && off > 0.02 * truth) {
+        changed += off;
+        light += truth;
+      }
     }
   }
   return light > 0 ? changed / light : 0;
@@ -219,7 +228,6 @@ struct Explanation {
   ModelSearch search{back, reading.seen, reading.any_exposure};
   std::optional<double> whole =
       reading.any_exposure ? std::nullopt : lamp_factor(back, reading.picture);
-  double values = reading.values();
 
   std::vector<Meaning> meanings_of(const PathModel& m, bool& general) const {
     return meanings(back.truth, m, whole, general);
@@ -306,7 +314,6 @@ struct Explanation {
               m, name);
       }
     }
-    constexpr std::size_t most_named = 3;
     if (std::max(verdict.causes.size(), verdict.partial.size()) > most_named) {
       verdict.causes.clear();
       verdict.partial.clear();
@@ -332,9 +339,7 @@ struct Explanation {
     for (const PathModel& m : reading.models) {
       bool general = false;
       const std::vector<Meaning> names = meanings_of(m, general);
-      const double part = reading.explained(m);
-      if (general && m.free.size() <= 1 && counts(m) &&
-          (part >= 0.98 || (part >= 0.7 && m.chi2 < 3 * values))) {
+      if (general && m.free.size() <= 1 && counts(m) && reading.is_complete(m)) {
         claim(verdict.partial, m, names.front());
         return;
       }
@@ -369,7 +374,7 @@ void explain(const TruthBlocks& back, const Reading& reading, PathVerdict& verdi
 void name_places(const Reading& reading, double chi2, PathVerdict& verdict) {
   const double n = reading.values();
   const double before = reading.right.fit.chi2;
-  if (before - chi2 < 0.8 * (before - std::min(n, before))) {
+  if (chi2 - n > most_left * (before - n)) {
     return;
   }
   const PathPlace* worst = nullptr;
@@ -413,9 +418,36 @@ DecodedPicture rearranged(const DecodedPicture& mine, const PathTruth& t, int ho
 
 // Whether another reading of the file explains nearly all of the difference.
 bool explains(const TruthBlocks& back, const Reading& before, const Reading& other) {
-  return 2 * other.seen.tested > before.seen.tested && other.right.chi2 < 3 * other.values() &&
-         other.right.chi2 / other.values() < 0.05 * before.right.chi2 / before.values() &&
-         back.truth.blocks() > 16;
+  const double was = before.right.chi2 / before.values();
+  const double is = other.right.chi2 / other.values();
+  constexpr double like_noise = 3;  // as for mistakes
+  return 2 * other.seen.tested > before.seen.tested && is < like_noise && was > like_noise &&
+         std::max(is - 1, 0.0) < 0.05 * (was - 1) && back.truth.blocks() > 16;
+}
+
+std::string view_words(const PathTruth& t, const ViewScale& view) {
+  constexpr double degrees = 180 / std::numbers::pi;
+  const double half = std::tan(t.height_angle / 2);
+  const double aspect = double(t.width) / t.height;
+  const auto angle = [](double tangent) { return 2 * degrees * std::atan(tangent); };
+  constexpr double near = 0.01;
+  if (std::abs(view.across / view.down - 1) > near) {
+    return fmt::format(
+        "the picture is stretched: its angle of view is {:.1f} x {:.1f} degrees, that of the scene "
+        "{:.1f} x {:.1f}",
+        angle(half * aspect / view.across), angle(half / view.down), angle(half * aspect),
+        angle(half));
+  }
+  const double mine = half / view.down;
+  std::string what =
+      fmt::format("the height of the picture is an angle of {:.1f} degrees, not of {:.1f}",
+                  angle(mine), angle(half));
+  if (std::abs(mine / std::tan(t.height_angle) - 1) < near) {
+    what += ": the angle is not halved";
+  } else if (t.width != t.height && std::abs(mine * aspect / half - 1) < near) {
+    what += ": that is the angle of the width";
+  }
+  return what;
 }
 
 // Mistakes in what is done with the picture, not in the light.
@@ -436,6 +468,13 @@ void explain_file(const TruthBlocks& back, const DecodedPicture& mine,
       verdict.causes.push_back({page, name, what, "explains the difference", 1});
       return;
     }
+  }
+  const ViewScale view = fitted_view(back, reading);
+  const LinearPicture pixels = with_right_view(back.truth, reading.picture, view);
+  if (explains(back, reading, read_again(back, reading, pixels))) {
+    verdict.causes.push_back(
+        {Cause::camera, "view-angle", view_words(back.truth, view), "explains the difference", 1});
+    return;
   }
   if (mine.is_linear()) {
     for (const Reading& other : readings_as_shown(back, mine)) {
@@ -469,14 +508,27 @@ void name_growth(const TruthBlocks& back, const LinearPicture& picture, PathVerd
     }
   }
   const double factor = median_of(ratios);
-  if (factor > 1.3) {
+  if (factor <= 1.3) {
+    return;
+  }
+  verdict.too_noisy = false;
+  const std::vector<GrowthMatch> matches = match_growth(back, picture);
+  if (matches.empty() || matches.size() > most_named) {
     verdict.partial.push_back(
         {Cause::scattering, "light",
          fmt::format("most pixels are brighter than the truth, by a factor of at least {:.2f}, and "
                      "the noise is far too large: {}",
                      factor, growth),
          "median of pixels", 0});
-    verdict.too_noisy = false;
+    return;
+  }
+  for (const GrowthMatch& match : matches) {
+    verdict.causes.push_back(
+        {match.meaning.page, match.meaning.name, match.meaning.what,
+         fmt::format("light grows from bounce to bounce: pixels are distributed as with this "
+                     "mistake, {:.0f} samples and a probability of {:.2f} of going on",
+                     match.samples, match.probability),
+         0});
   }
 }
 
@@ -584,6 +636,12 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
     verdict.partial.clear();
   } else if (verdict.partial.empty() && unexplained()) {
     name_places(reading, chi2, verdict);
+    if (verdict.partial.empty() && has_shared_noise(back, reading, verdict, chi2)) {
+      verdict.causes.push_back({Cause::samples, "same-numbers",
+                                "neighboring pixels have the same noise, as if every pixel used "
+                                "the same random numbers",
+                                "most blocks differ, to both sides", 0});
+    }
   }
   const bool explained_by_convention = !verdict.conventions.empty();
   const std::vector<const BlockColors*> shifts = gradients(back, reading.seen.measured);

@@ -160,6 +160,9 @@ void weigh_rough(const PathPoint& point, const dvec3& direction, Weights& w) {
   at(Change::z_directions) *= direction.z > 0 ? 1.0 : 0.0;
   const Color albedo = point.bsdf.diffuse + point.bsdf.glossy;
   at(Change::color_roulette) *= std::min(1.0, std::max({albedo.x, albedo.y, albedo.z}));
+  const Color value = r.sum();
+  at(Change::gray_by_luminance) *= quotient(Color(luminance(value)), value);
+  at(Change::gray_by_mean) *= quotient(Color((value.x + value.y + value.z) / 3), value);
 }
 
 constexpr std::size_t kind_count =
@@ -187,9 +190,29 @@ LightKind kind_at(std::size_t index) {
   return kind;
 }
 
+// The throughput by the last scattered direction alone, relative to the right one: of those before
+// it, only their densities are left.
+class ReplacedThroughput {
+ public:
+  const Color& of(std::size_t density) const { return before_[density]; }
+
+  void scatter(const BsdfSample& next, const Facing& facing) {
+    const double cosine = std::max(0.0, glm::dot(facing.normal, next.to_light));
+    for (std::size_t d = 0; d < before_.size(); ++d) {
+      before_[d] *= last_[d];
+      last_[d] = quotient(Color(d == 0 ? cosine / pi : 1 / (2 * pi)), next.light);
+    }
+  }
+
+ private:
+  std::array<Color, 2> before_{Color(1), Color(1)};
+  std::array<Color, 2> last_{Color(1), Color(1)};
+};
+
 // Sums over the paths of a block.
 struct BlockSums {
   std::array<Color, kind_count> kinds{};
+  std::array<std::array<Color, most_rough + 1>, 2> replaced{};
   Weights sampled{};
   Weights hit{};
   bool glass = false;
@@ -201,12 +224,19 @@ void add_path(const PathRecord& path, const Lamps& lamps, BlockSums& sums) {
   LightKind kind;
   Weights along;
   along.fill(Color(1));
+  ReplacedThroughput replaced;
+  const auto add_replaced = [&](const Color& light) {
+    for (std::size_t d = 0; d < sums.replaced.size(); ++d) {
+      sums.replaced[d][std::min<std::size_t>(kind.rough, most_rough)] += replaced.of(d) * light;
+    }
+  };
   for (const PathVertex& v : path.vertices) {
     sums.glossy = sums.glossy || v.point.bsdf.glossy != Color(0);
     if (v.emission != Color(0)) {
       const Color light = v.throughput * v.emission;
       kind.hit = true;
       sums.kinds[index_of(kind)] += light;
+      add_replaced(light);
       if (kind.bounces() > 0) {
         for (std::size_t c = 0; c < change_count; ++c) {
           sums.hit[c] += along[c] * light;
@@ -221,6 +251,7 @@ void add_path(const PathRecord& path, const Lamps& lamps, BlockSums& sums) {
       }
       const Color arrived = v.throughput * light.contribution;
       sums.kinds[index_of(kind)] += arrived;
+      add_replaced(arrived);
       sums.sampled[static_cast<std::size_t>(Change::no_visibility)] +=
           v.throughput * light.unshadowed;
       if (arrived != Color(0)) {
@@ -238,6 +269,7 @@ void add_path(const PathRecord& path, const Lamps& lamps, BlockSums& sums) {
     }
     if (!v.next.specular()) {
       weigh_rough(v.point, v.next.to_light, along);
+      replaced.scatter(v.next, v.point.facing);
       ++kind.rough;
     } else {
       weigh_specular(v.point, v.next, along);
@@ -246,6 +278,38 @@ void add_path(const PathRecord& path, const Lamps& lamps, BlockSums& sums) {
       (is_mirror ? sums.mirror : sums.glass) = true;
     }
   }
+}
+
+constexpr int longest_of_pool = 24;  // users continue them by their mean growth
+
+std::vector<PathStep> steps_of(const PathRecord& path) {
+  std::vector<PathStep> steps;
+  PathStep step;
+  double gone_on = 1;  // the roulette of the few that it ends is taken back
+  for (const PathVertex& v : path.vertices) {
+    Color light = v.emission;
+    Color flat = v.emission;
+    for (std::uint32_t i = v.first_light; i < v.first_light + v.lights; ++i) {
+      const PathLight& l = path.lights[i];
+      const double cosine = std::max(1e-2, glm::dot(v.point.facing.normal, l.to_light));
+      light += l.contribution;
+      flat += l.contribution / cosine;
+    }
+    step.direct = static_cast<float>(gone_on * luminance(v.throughput * light));
+    step.flat_direct = static_cast<float>(gone_on * luminance(v.throughput * flat));
+    steps.push_back(step);
+    if (!v.next.specular()) {
+      const double cosine = std::max(1e-2, glm::dot(v.point.facing.normal, v.next.to_light));
+      step.flatness = static_cast<float>(std::min(1e30, step.flatness / cosine));
+      ++step.rough;
+    }
+    gone_on *= v.continuation;
+  }
+  const PathEnd end = path.vertices.empty() ? PathEnd::none : path.vertices.back().end;
+  if (end != PathEnd::max_depth && end != PathEnd::roulette) {
+    steps.resize(longest_of_pool + 1);  // no light comes from beyond
+  }
+  return steps;
 }
 
 // Sums over passes.
@@ -322,6 +386,12 @@ void set_means(const PathScene& scene, const Totals& totals, PathTruth& truth) {
         kind.resize(truth.blocks());
         kind[b] = sums.kinds[k] / all;
         sum += sums.kinds[k];
+      }
+    }
+    for (std::size_t d = 0; d < truth.replaced.size(); ++d) {
+      for (std::size_t n = 0; n < truth.replaced[d].size(); ++n) {
+        truth.replaced[d][n].resize(truth.blocks());
+        truth.replaced[d][n][b] = sums.replaced[d][n] / all;
       }
     }
     // The variance of a sum of independent ones.
@@ -429,6 +499,8 @@ bool change(Variant variant, const PathTruth& truth, RenderScene& scene, Assets&
         mesh.triangle_normals.clear();
       }
       return changed;
+    case Variant::lamp_parallelograms:
+      return !truth.lamp_areas.empty();  // of its paths, not of the scene
   }
   return false;
 }
@@ -488,6 +560,7 @@ RenderStatus draw_truth(const TraceScene& traced, const RenderScene& scene,
   const PathScene& paths = scenes.front();
   truth.width = options.width;
   truth.height = options.height;
+  truth.height_angle = scene.camera.fov_y;
   truth.columns = (truth.width + block_side - 1) / block_side;
   truth.rows = (truth.height + block_side - 1) / block_side;
   Totals totals;
@@ -530,6 +603,39 @@ RenderStatus draw_truth(const TraceScene& traced, const RenderScene& scene,
   return RenderStatus::complete;
 }
 
+void draw_pools(const TraceScene& traced, const RenderScene& scene, const RenderOptions& options,
+                PathTruth& truth) {
+  constexpr std::size_t most_blocks = 64;
+  constexpr std::uint32_t spots = 4;  // pixels of a block
+  constexpr std::uint32_t of_spot = 32;
+  RenderOptions endless = as_truth(options);
+  endless.continuation = 0.99;
+  endless.max_depth = longest_of_pool;
+  const ThreadLimit limit(options.threads);
+  const std::size_t count = std::min(most_blocks, truth.blocks());
+  truth.pools.resize(count);
+  for (int uniform = 0; uniform < 2; ++uniform) {
+    PathScene paths(traced, scene, endless);
+    paths.uniform_directions = uniform == 1;
+    for_each_task(count, [&](std::size_t i) {
+      PathPool& pool = truth.pools[i];
+      pool.block = (2 * i + 1) * truth.blocks() / (2 * count);
+      const int left = static_cast<int>(pool.block) % truth.columns * block_side;
+      const int top = static_cast<int>(pool.block) / truth.columns * block_side;
+      RayCounts counts;
+      PathRecord path;
+      for (std::uint32_t spot = 0; spot < spots; ++spot) {
+        const int x = std::min(left + (spot % 2 == 0 ? 2 : 6), truth.width - 1);
+        const int y = std::min(top + (spot < 2 ? 2 : 6), truth.height - 1);
+        for (std::uint32_t sample = 0; sample < of_spot; ++sample) {
+          path_light(paths, x, y, sample, counts, &path);
+          pool.paths[uniform].push_back(steps_of(path));
+        }
+      }
+    });
+  }
+}
+
 RenderStatus draw_variants(const RenderScene& scene, const Assets& assets,
                            const RenderOptions& options, double seconds, const Progress& progress,
                            PathTruth& truth) {
@@ -540,8 +646,8 @@ RenderStatus draw_variants(const RenderScene& scene, const Assets& assets,
     Assets assets;
   };
   std::vector<Changed> list;
-  for (const Variant variant :
-       {Variant::two_sided_lamps, Variant::inverted_index, Variant::flat_normals}) {
+  for (const Variant variant : {Variant::two_sided_lamps, Variant::inverted_index,
+                                Variant::flat_normals, Variant::lamp_parallelograms}) {
     Changed changed{variant, scene, assets};
     if (change(variant, truth, changed.scene, changed.assets)) {
       list.push_back(std::move(changed));
@@ -555,9 +661,13 @@ RenderStatus draw_variants(const RenderScene& scene, const Assets& assets,
     if (traced.status() != RenderStatus::complete) {
       return traced.status();
     }
-    truth.variants.push_back(draw_variant(changed.variant,
-                                          scenes_of(traced, changed.scene, options), truth,
-                                          seconds / static_cast<double>(list.size())));
+    std::deque<PathScene> scenes = scenes_of(traced, changed.scene, options);
+    if (changed.variant == Variant::lamp_parallelograms) {
+      std::for_each(scenes.begin(), scenes.end(),
+                    [](PathScene& paths) { paths.lamps.cover_parallelograms(); });
+    }
+    truth.variants.push_back(
+        draw_variant(changed.variant, scenes, truth, seconds / static_cast<double>(list.size())));
   }
   return RenderStatus::complete;
 }

@@ -64,6 +64,8 @@ enum class Change : std::uint8_t {
   y_directions,
   z_directions,
   color_roulette,
+  gray_by_luminance,
+  gray_by_mean,
   corner_points,
   edge_points,
   normalized_points,
@@ -91,11 +93,32 @@ struct ChangedPicture {
 };
 
 /// Changes of the scene, as by another convention or a mistake. Each needs its own paths.
-enum class Variant : std::uint8_t { two_sided_lamps, inverted_index, flat_normals };
+enum class Variant : std::uint8_t {
+  two_sided_lamps,
+  inverted_index,
+  flat_normals,
+  lamp_parallelograms
+};
 struct VariantPicture {
   Variant variant = Variant::two_sided_lamps;
   BlockColors picture;
   double samples = 0;  ///< per pixel
+};
+
+/// A surface of a path that no roulette ends, as luminances.
+struct PathStep {
+  float direct = 0;        ///< the light that it adds to the pixel
+  float flat_direct = 0;   ///< the same without the cosine of light samples
+  float flatness = 1;      ///< product of 1 / cosine of the scattered directions that led here
+  std::uint8_t rough = 0;  ///< their number
+};
+
+/// Paths of some pixels of a block, to simulate programs whose means do not converge: what matters
+/// then is how the values of pixels are distributed.
+struct PathPool {
+  std::size_t block = 0;
+  /// Directions by the BSDF, and uniform ones, as programs sample them.
+  std::array<std::vector<std::vector<PathStep>>, 2> paths;
 };
 
 /// Means; variances are those of means over `samples`.
@@ -111,10 +134,16 @@ struct PathTruth {
   std::map<LightKind, BlockColors> kinds;
   std::vector<BlockColors> first_passes;  ///< sums of the first 1, 2, 4, 8, ... passes
   std::array<ChangedPicture, change_count> changes;
+  /// As by programs that replace the throughput by the factor of the last scattered direction,
+  /// with directions by the cosine, and uniform ones: by number of scattered directions. Each
+  /// probability of going on, after the first, is a factor beside that.
+  std::array<std::array<BlockColors, most_rough + 1>, 2> replaced;
   std::vector<VariantPicture> variants;  ///< those that the scene can have
-  std::vector<double> lamp_areas;        ///< by triangle
-  Color lamp_color{0};                   ///< emission of one of them
-  bool glass = false;                    ///< some path met glass
+  std::vector<PathPool> pools;
+  std::vector<double> lamp_areas;  ///< by triangle
+  Color lamp_color{0};             ///< emission of one of them
+  double height_angle = 0;         ///< of the camera, radians
+  bool glass = false;              ///< some path met glass
   bool mirror = false;
   bool glossy = false;
 
@@ -127,6 +156,10 @@ struct PathTruth {
 RenderStatus draw_truth(const TraceScene& traced, const RenderScene& scene,
                         const RenderOptions& options, double seconds, std::uint32_t samples,
                         const Progress& progress, PathTruth& truth);
+
+/// Adds the pools.
+void draw_pools(const TraceScene& traced, const RenderScene& scene, const RenderOptions& options,
+                PathTruth& truth);
 
 /// Adds the variants, each with as many samples as fit into an equal share of the time.
 RenderStatus draw_variants(const RenderScene& scene, const Assets& assets,

@@ -150,13 +150,16 @@ bool Reading::differs() const {
 }
 
 bool Reading::is_like_noise(const PathModel& m) const {
-  return explained(m) >= 0.85 && m.chi2 < 3 * values();
+  return explained(m) >= 1 - most_left && m.chi2 < 3 * values();
 }
 
 bool Reading::is_complete(const PathModel& m) const {
   const double plain = m.plain_chi2 / right.chi2;
+  // Of a difference far above noise, small differences of programs are far above it, too: a tenth
+  // of the most that may be left otherwise is no less evidence.
+  constexpr double far_above = most_left / 10;
   return (is_like_noise(m) && plain < most_plain) ||
-         (explained(m) >= 0.985 && plain < 0.05 && !m.two_mistakes());
+         (explained(m) >= 1 - far_above && plain < 0.05 && !m.two_mistakes());
 }
 
 double Reading::tie() const {
@@ -201,6 +204,17 @@ Reading read_as(const TruthBlocks& back, const DecodedPicture& mine, const Scree
   }
   reading.seen = observe(back, reading.picture);
   reading.right = ModelSearch(back, reading.seen, any_exposure).right();
+  return reading;
+}
+
+Reading read_again(const TruthBlocks& back, const Reading& before, LinearPicture pixels) {
+  Reading reading;
+  reading.screen = before.screen;
+  reading.any_exposure = before.any_exposure;
+  reading.exposure = before.exposure;
+  reading.picture = std::move(pixels);
+  reading.seen = observe(back, reading.picture);
+  reading.right = ModelSearch(back, reading.seen, before.any_exposure).right();
   return reading;
 }
 

@@ -12,6 +12,10 @@ namespace scenefile {
 /// The exponents of 2.2 or 2, applied twice, are near it.
 inline constexpr double gamma_twice = 4.4;
 
+/// Of the difference beyond noise, the part that an explanation may leave. The rest is what
+/// programs with the same mistake do differently.
+inline constexpr double most_left = 0.15;
+
 /// One way to linearize the picture, and what the search found then.
 struct Reading {
   ScreenCurve screen;
@@ -48,6 +52,9 @@ struct Reading {
 /// Without models.
 Reading read_as(const TruthBlocks& back, const DecodedPicture& mine, const ScreenCurve& screen,
                 bool any_exposure);
+
+/// Other pixels, such as those of another view, read like `before`. Without models.
+Reading read_again(const TruthBlocks& back, const Reading& before, LinearPicture pixels);
 
 /// The likeliest first; none if most of the picture is clipped.
 std::vector<Reading> readings_of(const TruthBlocks& back, const DecodedPicture& mine);

@@ -176,4 +176,19 @@ BsdfSample sample(const Bsdf& bsdf, const Facing& facing, double lobe, const glm
   return result;
 }
 
+BsdfSample sample_uniformly(const Bsdf& bsdf, const Facing& facing, double lobe,
+                            const glm::dvec2& point) {
+  BsdfSample result = sample(bsdf, facing, lobe, point);
+  if (result.lobe == BsdfLobe::none || result.specular()) {
+    return result;
+  }
+  // The probability of a rough lobe stays.
+  const LobeShares shares = lobe_shares(bsdf);
+  result.to_light = power_direction(facing.normal, 0, point);
+  result.density = (shares.diffuse + shares.glossy) / (2 * pi);
+  result.light = value_of(bsdf, shares, facing, result.to_light).light;
+  result.weight = result.light / result.density;
+  return result;
+}
+
 }  // namespace scenefile

@@ -58,4 +58,8 @@ struct BsdfSample {
 /// A random direction. `lobe` and `point` are uniform in [0, 1).
 BsdfSample sample(const Bsdf& bsdf, const Facing& facing, double lobe, const glm::dvec2& point);
 
+/// The same, but uniform over the hemisphere where a direction can be, as in simple programs.
+BsdfSample sample_uniformly(const Bsdf& bsdf, const Facing& facing, double lobe,
+                            const glm::dvec2& point);
+
 }  // namespace scenefile

@@ -196,7 +196,7 @@ LampPoint Lamps::sample(glm::dvec2 point) const {
   const Triangle& triangle = triangles_[chosen];
   const Place& place = places_[triangle.place];
   const Mesh& mesh = assets_->meshes[place.mesh];
-  const glm::dvec2 weights = in_triangle(point);
+  const glm::dvec2 weights = parallelograms_ ? point : in_triangle(point);
   const Surface surface = surface_at(mesh, triangle.index, weights.x, weights.y, false);
   const auto& corners = mesh.triangles[triangle.index];
   const auto corner = [&](int i) { return glm::dvec3(mesh.positions[corners[i]]); };

@@ -73,6 +73,10 @@ class Lamps {
   double area(std::size_t triangle) const { return areas_[triangle]; }
   /// `point` is uniform in the unit square.
   LampPoint sample(glm::dvec2 point) const;
+  /// From now on, points are uniform in the parallelograms of two edges of triangles, with the
+  /// density of the triangles: as in programs that forget the half outside of them. Weights of
+  /// corners may then be negative.
+  void cover_parallelograms() { parallelograms_ = true; }
   /// The density, per area, of sample() for a point on a triangle with a face material; 0: not a
   /// lamp.
   double density(std::uint32_t mesh, std::uint32_t material) const;
@@ -99,6 +103,7 @@ class Lamps {
   std::vector<double> areas_;
   AliasTable table_;
   double power_ = 0;
+  bool parallelograms_ = false;
 };
 
 }  // namespace scenefile

@@ -77,7 +77,8 @@ class Path {
         add(bounce + 1, light_at(point));
       }
       const glm::dvec2 choice = use(PathUse::lobe);
-      const BsdfSample next = sample(point.bsdf, point.facing, choice.x, use(PathUse::direction));
+      const auto scatter = scene_.uniform_directions ? sample_uniformly : sample;
+      const BsdfSample next = scatter(point.bsdf, point.facing, choice.x, use(PathUse::direction));
       if (vertex_ != nullptr) {
         vertex_->next = next;
       }

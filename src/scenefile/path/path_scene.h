@@ -21,6 +21,7 @@ struct PathScene {
   CameraRays camera;
   Transmission transmission;  ///< for shadow rays to the scene's lights
   Lamps lamps;
+  bool uniform_directions = false;  ///< not by the BSDF
   /// By mesh and triangle: the triangle at the same place that faces the other way and emits light.
   /// Rays hit only the last of such faces, but a lamp may be made of two.
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> other_faces;

@@ -58,9 +58,12 @@ RenderStatus draw_truth(const LoadedScene& scene, const RenderOptions& options, 
   const RenderStatus status =
       draw_truth(traced, scene.ready.scene, options, (1 - of_variants) * seconds, most_samples,
                  progress, truth);
-  return status != RenderStatus::complete ? status
-                                          : draw_variants(scene.ready.scene, scene.assets, options,
-                                                          of_variants * seconds, progress, truth);
+  if (status != RenderStatus::complete) {
+    return status;
+  }
+  draw_pools(traced, scene.ready.scene, options, truth);
+  return draw_variants(scene.ready.scene, scene.assets, options, of_variants * seconds, progress,
+                       truth);
 }
 
 std::string path_verdict_text(const PathVerdict& v) {

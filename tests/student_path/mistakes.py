@@ -18,6 +18,7 @@ MISTAKES = {
     "no-indirect-cosine": ("box lamps", "surface-cosine"),
     "no-cosine": ("box mirror", "surface-cosine"),
     "cosine-twice": ("box lamps", "surface-cosine"),
+    "indirect-cosine-twice": ("box", "surface-cosine"),
     "no-lamp-cosine": ("box mirror lamps", "lamp-cosine"),
     "falloff-d": ("box glass lamps", "distance"),
     "no-falloff": ("box mixed", "distance"),

@@ -218,6 +218,9 @@ class Tracer {
     if (on("no-indirect-cosine") || on("no-cosine")) {
       cosine = cosine > 0 ? 1 : 0;
     }
+    if (on("indirect-cosine-twice")) {
+      cosine *= cosine;
+    }
     if (on("no-direction-pdf")) {
       pdf = 1;
     }

@@ -18,6 +18,7 @@ struct Program {
   double scattered = 1;      // factor of each scattered direction
   double direct = 1;         // factor of light samples
   bool flat = false;         // no cosine of scattered directions
+  bool white = false;        // no Kd in scattered light
   bool flat_direct = false;  // no cosine of light samples
   bool any_brightness = false;
   double (*weight)(double p) = [](double p) { return 1 / p; };  // of going on
@@ -46,6 +47,8 @@ std::vector<Program> programs() {
       {.meaning = {Cause::path_length, "roulette",
                    "paths are divided twice by the probability of going on"},
        .weight = by_square},
+      {.meaning = {page, "diffuse-color", "scattered light is not multiplied by Kd"},
+       .white = true},
       {.meaning = {}, .any_brightness = true}};
 }
 
@@ -180,7 +183,10 @@ std::vector<std::array<double, longest>> sums_of(const Program& program, double 
         for (; rough < step.rough; ++rough) {
           weight *= program.scattered;
         }
-        term = program.direct * (program.flat_direct ? step.flat_direct : step.direct) *
+        term = program.direct *
+               (program.flat_direct ? step.flat_direct
+                : program.white     ? step.white_direct
+                                    : step.direct) *
                (program.flat ? step.flatness : 1) * weight;
         weight *= program.weight(p);
         last += n + few >= steps.size() ? term : 0;

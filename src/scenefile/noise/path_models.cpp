@@ -32,6 +32,8 @@ constexpr std::array<ChangeRow, change_count> change_rows{{
      "direct light is not multiplied by the cosine at the surface"},
     {Change::surface_cosine_indirect, ModelKind::mistake, Cause::scattering, "surface-cosine",
      "scattered light is not multiplied by the cosine at the surface"},
+    {Change::surface_cosine_indirect_twice, ModelKind::mistake, Cause::scattering, "surface-cosine",
+     "scattered light is multiplied twice by the cosine at the surface"},
     {Change::surface_cosine, ModelKind::mistake, Cause::scattering, "surface-cosine",
      "light is not multiplied by the cosine at the surface"},
     {Change::surface_cosine_twice, ModelKind::mistake, Cause::scattering, "surface-cosine",
@@ -262,33 +264,10 @@ std::optional<PathModel> ModelSearch::pair(const std::vector<PathModel>& singles
   return best;
 }
 
-// The model with the parameter, between `low` and `high`, that leaves least.
-template <typename At>
-PathModel fitted_parameter(double low, double high, const At& at) {
-  std::optional<PathModel> best;
-  low = std::log(low);
-  high = std::log(high);
-  int steps = 24;
-  for (int round = 0; round < 4; ++round) {
-    for (int i = 0; i <= steps; ++i) {
-      PathModel model = at(std::exp(low + (high - low) * i / steps));
-      if (!best || model.fit.chi2 < best->fit.chi2) {
-        best = std::move(model);
-      }
-    }
-    const double middle = std::log(best->parameter);
-    const double reach = (high - low) / steps;
-    low = middle - reach;
-    high = middle + reach;
-    steps = 8;
-  }
-  return *best;
-}
-
 // `power`: how often the parameter is a factor.
 PathModel ModelSearch::by_parameter(Cause page, const char* name, int (*power)(const LightKind&),
                                     bool free_direct) const {
-  return fitted_parameter(0.02, 12, [&](double p) {
+  const auto at = [&](double p) {
     PathModel model{ModelKind::mistake, page, name, "", {}, {}, p, 1, free_direct ? 2 : 1};
     const auto factor = [&](const LightKind& k) { return std::pow(p, power(k)); };
     BlockColors hits = back_.scaled_kinds(factor, true);
@@ -301,29 +280,27 @@ PathModel ModelSearch::by_parameter(Cause page, const char* name, int (*power)(c
     }
     solve(model);
     return model;
-  });
-}
-
-PathModel ModelSearch::replaced_throughput(std::size_t density) const {
-  return fitted_parameter(0.1, 1, [&](double p) {
-    PathModel model{ModelKind::mistake,
-                    Cause::scattering,
-                    "throughput-replaced",
-                    fmt::format("the throughput of a path is replaced at each bounce, not "
-                                "multiplied: only the last surface counts, with a probability of "
-                                "{:.2f} of going on",
-                                p),
-                    back_.zero,
-                    {},
-                    p,
-                    1};
-    const auto& light = back_.truth.replaced[density];
-    for (std::size_t n = 0; n < light.size(); ++n) {
-      model.fixed = combined(model.fixed, std::pow(p, n < 2 ? 0.0 : double(n - 1)), light[n]);
+  };
+  std::optional<PathModel> best;
+  double low = std::log(0.02);
+  double high = std::log(12.0);
+  int steps = 24;
+  for (int round = 0; round < 4; ++round) {
+    double middle = 0;
+    for (int i = 0; i <= steps; ++i) {
+      const double p = low + (high - low) * i / steps;
+      PathModel model = at(std::exp(p));
+      if (!best || model.fit.chi2 < best->fit.chi2) {
+        best = std::move(model);
+      }
     }
-    solve(model);
-    return model;
-  });
+    middle = std::log(best->parameter);
+    const double reach = (high - low) / steps;
+    low = middle - reach;
+    high = middle + reach;
+    steps = 8;
+  }
+  return *best;
 }
 
 std::vector<PathModel> ModelSearch::models() const {
@@ -368,8 +345,6 @@ std::vector<PathModel> ModelSearch::models() const {
   list.push_back(by_parameter(scattering, "direct-and-scattered", rough, true));
   list.push_back(by_parameter(lengths, "bounce", bounces, false));
   list.push_back(by_parameter(lengths, "direct-and-bounce", bounces, true));
-  list.push_back(replaced_throughput(0));
-  list.push_back(replaced_throughput(1));
   if (back_.truth.glass) {
     list.push_back(by_parameter(specular, "glass-step", at_glass, false));
   }

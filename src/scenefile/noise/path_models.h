@@ -75,9 +75,6 @@ class ModelSearch {
   PathModel by_parameter(Cause page, const char* name, int (*power)(const LightKind&),
                          bool free_direct) const;
 
-  /// The throughput is the factor of the last direction alone.
-  PathModel replaced_throughput(std::size_t density) const;
-
   const TruthBlocks& back_;
   const ObservedBlocks& seen_;
   const MeasuredBlocks& measured_;

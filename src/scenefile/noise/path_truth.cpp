@@ -152,6 +152,7 @@ void weigh_rough(const PathPoint& point, const dvec3& direction, Weights& w) {
   at(Change::diffuse_twice_indirect) *=
       quotient(r.diffuse * point.bsdf.diffuse + r.glossy, r.sum());
   at(Change::surface_cosine_indirect) /= cosine;
+  at(Change::surface_cosine_indirect_twice) *= cosine;
   at(Change::surface_cosine) /= cosine;
   at(Change::uniform_density) *= times(Color(2), cosine);
   at(Change::cosine_density) /= 2 * cosine;
@@ -190,29 +191,9 @@ LightKind kind_at(std::size_t index) {
   return kind;
 }
 
-// The throughput by the last scattered direction alone, relative to the right one: of those before
-// it, only their densities are left.
-class ReplacedThroughput {
- public:
-  const Color& of(std::size_t density) const { return before_[density]; }
-
-  void scatter(const BsdfSample& next, const Facing& facing) {
-    const double cosine = std::max(0.0, glm::dot(facing.normal, next.to_light));
-    for (std::size_t d = 0; d < before_.size(); ++d) {
-      before_[d] *= last_[d];
-      last_[d] = quotient(Color(d == 0 ? cosine / pi : 1 / (2 * pi)), next.light);
-    }
-  }
-
- private:
-  std::array<Color, 2> before_{Color(1), Color(1)};
-  std::array<Color, 2> last_{Color(1), Color(1)};
-};
-
 // Sums over the paths of a block.
 struct BlockSums {
   std::array<Color, kind_count> kinds{};
-  std::array<std::array<Color, most_rough + 1>, 2> replaced{};
   Weights sampled{};
   Weights hit{};
   bool glass = false;
@@ -224,19 +205,12 @@ void add_path(const PathRecord& path, const Lamps& lamps, BlockSums& sums) {
   LightKind kind;
   Weights along;
   along.fill(Color(1));
-  ReplacedThroughput replaced;
-  const auto add_replaced = [&](const Color& light) {
-    for (std::size_t d = 0; d < sums.replaced.size(); ++d) {
-      sums.replaced[d][std::min<std::size_t>(kind.rough, most_rough)] += replaced.of(d) * light;
-    }
-  };
   for (const PathVertex& v : path.vertices) {
     sums.glossy = sums.glossy || v.point.bsdf.glossy != Color(0);
     if (v.emission != Color(0)) {
       const Color light = v.throughput * v.emission;
       kind.hit = true;
       sums.kinds[index_of(kind)] += light;
-      add_replaced(light);
       if (kind.bounces() > 0) {
         for (std::size_t c = 0; c < change_count; ++c) {
           sums.hit[c] += along[c] * light;
@@ -251,7 +225,6 @@ void add_path(const PathRecord& path, const Lamps& lamps, BlockSums& sums) {
       }
       const Color arrived = v.throughput * light.contribution;
       sums.kinds[index_of(kind)] += arrived;
-      add_replaced(arrived);
       sums.sampled[static_cast<std::size_t>(Change::no_visibility)] +=
           v.throughput * light.unshadowed;
       if (arrived != Color(0)) {
@@ -269,7 +242,6 @@ void add_path(const PathRecord& path, const Lamps& lamps, BlockSums& sums) {
     }
     if (!v.next.specular()) {
       weigh_rough(v.point, v.next.to_light, along);
-      replaced.scatter(v.next, v.point.facing);
       ++kind.rough;
     } else {
       weigh_specular(v.point, v.next, along);
@@ -285,6 +257,7 @@ constexpr int longest_of_pool = 24;  // users continue them by their mean growth
 std::vector<PathStep> steps_of(const PathRecord& path) {
   std::vector<PathStep> steps;
   PathStep step;
+  Color whitened(1);
   double gone_on = 1;  // the roulette of the few that it ends is taken back
   for (const PathVertex& v : path.vertices) {
     Color light = v.emission;
@@ -297,8 +270,12 @@ std::vector<PathStep> steps_of(const PathRecord& path) {
     }
     step.direct = static_cast<float>(gone_on * luminance(v.throughput * light));
     step.flat_direct = static_cast<float>(gone_on * luminance(v.throughput * flat));
+    step.white_direct =
+        static_cast<float>(std::min(1e30, gone_on * luminance(v.throughput * whitened * light)));
     steps.push_back(step);
     if (!v.next.specular()) {
+      const Reflectance r = reflectance_of(v.point, v.next.to_light);
+      whitened *= quotient(glm::sign(v.point.bsdf.diffuse) / pi + r.glossy, r.sum());
       const double cosine = std::max(1e-2, glm::dot(v.point.facing.normal, v.next.to_light));
       step.flatness = static_cast<float>(std::min(1e30, step.flatness / cosine));
       ++step.rough;
@@ -386,12 +363,6 @@ void set_means(const PathScene& scene, const Totals& totals, PathTruth& truth) {
         kind.resize(truth.blocks());
         kind[b] = sums.kinds[k] / all;
         sum += sums.kinds[k];
-      }
-    }
-    for (std::size_t d = 0; d < truth.replaced.size(); ++d) {
-      for (std::size_t n = 0; n < truth.replaced[d].size(); ++n) {
-        truth.replaced[d][n].resize(truth.blocks());
-        truth.replaced[d][n][b] = sums.replaced[d][n] / all;
       }
     }
     // The variance of a sum of independent ones.

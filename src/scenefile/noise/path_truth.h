@@ -40,6 +40,7 @@ inline constexpr int most_glass = 5;
 enum class Change : std::uint8_t {
   surface_cosine_direct,
   surface_cosine_indirect,
+  surface_cosine_indirect_twice,
   surface_cosine,
   surface_cosine_twice,
   lamp_cosine,
@@ -109,6 +110,7 @@ struct VariantPicture {
 struct PathStep {
   float direct = 0;        ///< the light that it adds to the pixel
   float flat_direct = 0;   ///< the same without the cosine of light samples
+  float white_direct = 0;  ///< the same if Kd were white in scattered directions
   float flatness = 1;      ///< product of 1 / cosine of the scattered directions that led here
   std::uint8_t rough = 0;  ///< their number
 };
@@ -134,10 +136,6 @@ struct PathTruth {
   std::map<LightKind, BlockColors> kinds;
   std::vector<BlockColors> first_passes;  ///< sums of the first 1, 2, 4, 8, ... passes
   std::array<ChangedPicture, change_count> changes;
-  /// As by programs that replace the throughput by the factor of the last scattered direction,
-  /// with directions by the cosine, and uniform ones: by number of scattered directions. Each
-  /// probability of going on, after the first, is a factor beside that.
-  std::array<std::array<BlockColors, most_rough + 1>, 2> replaced;
   std::vector<VariantPicture> variants;  ///< those that the scene can have
   std::vector<PathPool> pools;
   std::vector<double> lamp_areas;  ///< by triangle

@@ -315,7 +315,7 @@ docs-test: docs ## check that every link leads somewhere, every command shown ru
 	@tests/docs/pages.py commands $(BUILD)/scenefile
 	@/usr/bin/python3 tests/docs/examples.py $(BUILD)/scenefile
 	@$(WEB_MODULES)
-	@node tests/docs/site.js out/site
+	@node tests/docs/site.mjs out/site
 
 .PHONY: interchange
 interchange: build ## CORPUS=DIR: exported scenes pass the Khronos validator, and survive a trip through Blender

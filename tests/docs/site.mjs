@@ -1,6 +1,6 @@
 // Looks at the documentation site (make docs) in headless Chromium, on a wide and on a narrow screen:
 //
-//     node tests/docs/site.js out/site [PICTURES]
+//     node tests/docs/site.mjs out/site [PICTURES]
 //
 // No page asks another host for anything, reports an error, shows a broken picture, or is wider than the screen; the
 // search finds pages. PICTURES: a folder for screenshots of every page.

@@ -62,6 +62,14 @@ test: ## build and run all tests
 	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) --output-junit tests.xml; status=$$?; \
 	  scripts/test-summary $(BUILD)/tests.xml && exit $$status
 
+.PHONY: accept-readings
+accept-readings: ## write what the readers answer for tests/fixtures/reading as what the tests expect; look at git diff then
+	@scripts/install-deps core tests
+	@$(MAKE) $(QUIET) configure-tests
+	$(call compile,scenefile_format_tests)
+	@SCENEFILE_ACCEPT_READINGS=1 $(BUILD)/tests/format/scenefile_format_tests --gtest_brief=1 --gtest_filter='*Readings.AreAsExpected*'
+	@git -c safe.directory='*' status --short tests/fixtures/reading
+
 .PHONY: properties
 properties: ## CASES=10000 SEED=N: run each property test with this many new random cases
 	@scripts/install-deps core tests

@@ -210,46 +210,5 @@ TEST(Recovery, CutOffFilesAreCheckedAsFarAsTheyGo) {
   }
 }
 
-TEST(Recovery, BothKindsOfMistakesAreFoundInXml) {
-  EXPECT_THAT(
-      findings(all_findings(R"(<scenefile>
- <cameradata><pos x="a" y="0" z="0"/><focus x="0" y="0" z="0"/><up x="0" y="0" z="0"/>
-  <heightangle v="200"/></cameradata>
- <lightdata><id v="0"/><type v="directonal"/><color r="1" g="1" b="1"/>
-  <direction x="0" y="0" z="0"/></lightdata>
- <object type="tree" name="root">
-  <transblock><object type="master" name="whel"/></transblock>
-  <transblock><object type="primitive" name="cubw"><specular r="1" g="1" b="1"/></object></transblock>
-  <transblok><scale x="1" y="0" z="1"/><object type="primitive" name="cube"/></transblok>
- </object>
-</scenefile>)")),
-      ::testing::UnorderedElementsAre(
-          "2:19 error xml.number", "2:64 error camera.up-zero", "3:3 error camera.height-angle",
-          "4:24 error xml.light-type", "5:3 error light.direction-zero",
-          "7:37 error tree.unknown-template", "8:40 error xml.misspelled-shape",
-          "8:52 warning material.specular-without-shininess",
-          "9:3 warning xml.misspelled-transblock", "9:14 warning transform.flat"));
-}
-
-TEST(Recovery, BothKindsOfMistakesAreFoundInJson) {
-  EXPECT_THAT(
-      findings(all_findings(R"(// a scene
-{
- "globalData": {"ambientCoeff": .5, "diffuseCoeff": -1, "specularCoeff": 1,},
- "cameraData": {"position": [0, 0, 0], "up": [0, 0, 0], "look": [0, 0, 1], "heightAngle": "30"}
- "groups": [
-  {"scale": [1 0 1], "primitives": [{'type': "cube"}]},
-  {"scale": [1, 0, 1]; "primitives": [{"type": "cub", "specular": [1, 1, 1]}]}
- ]
-})")),
-      ElementsAre("1:1 error json.comment", "3:33 error json.number",
-                  "3:75 error json.trailing-comma", "4:95 error json.syntax",
-                  "6:14 error json.syntax", "6:38 error json.syntax", "7:22 error json.syntax",
-                  "4:76 error json.wrong-type", "7:48 error json.unknown-primitive-type",
-                  "3:37 warning global.negative", "4:40 error camera.up-zero",
-                  "7:55 warning material.specular-without-shininess", "6:4 warning transform.flat",
-                  "7:4 warning transform.flat"));
-}
-
 }  // namespace
 }  // namespace scenefile::testing

@@ -3,7 +3,6 @@
 #include "format/reading.h"
 #include "scenefile/format/codes.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -156,24 +155,6 @@ RC_GTEST_PROP(XmlSpelling, DoesNotChangeTheScene, ()) {
     RC_FAIL(finding + "\n" + text);
   }
   RC_ASSERT(varied.scene == plain.scene);
-}
-
-using ::testing::HasSubstr;
-
-TEST(XmlSpelling, WordsOfOtherFormatsAreTranslated) {
-  const auto said = [](const std::string& text) {
-    const std::vector<std::string> all = messages(read(text).diagnostics);
-    return all.empty() ? std::string() : all.front();
-  };
-  EXPECT_THAT(said(with_top("<camera/>")), HasSubstr("did you mean <cameradata>?"));
-  EXPECT_THAT(said(with_top("<cameradata><lookat x=\"0\" y=\"0\" z=\"0\"/></cameradata>")),
-              HasSubstr("did you mean <focus>?"));
-  EXPECT_THAT(said(with_top("<cameradata><fov v=\"45\"/></cameradata>")),
-              HasSubstr("did you mean <heightangle>?"));
-  EXPECT_THAT(said(in_root("<transblock><object type=\"sphere\"/></transblock>")),
-              HasSubstr("write type=\"primitive\" name=\"sphere\""));
-  EXPECT_THAT(said(with_transforms("<rotate x=\"0\" y=\"1\" z=\"0\" angle=\"90 deg\"/>")),
-              HasSubstr("did you mean 90?"));
 }
 
 }  // namespace

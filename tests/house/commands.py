@@ -8,6 +8,7 @@ NOT_RUN = {
     "help": "prints the list",
     "clean": "removes what the other checks have built",
     "format": "changes the sources; format-check runs",
+    "accept-readings": "replaces what tests expect, which someone has to look at",
     "screenshots": "replaces pictures of the documentation, which someone has to look at",
     "web-serve": "runs until it is stopped; web-test uses the same server",
     "ci-full": "runs .ci/full",

@@ -52,12 +52,51 @@ def problems(words):
                 yield f"{name}.{key} has an unknown object"
             if "example" in value:
                 json.loads(value["example"])
-    page = (SCHEMA.parent / "docs" / "format.md").read_text()
-    rows = [re.findall("`(\\w+)`", " ".join(line.split("|")[1:3])) for line in page.splitlines()]
+    yield from problems_of_page(words)
+
+
+def rows_of_page():
+    """Of each row in docs/format.md: its block, the names in its first two columns, its cells by column."""
+    blocks = {"## Global coefficients": "globals", "## Camera": "camera", "## Lights": "light",
+              "## Materials": "material"}
+    block, header = "", []
+    for line in (SCHEMA.parent / "docs" / "format.md").read_text(encoding="utf-8").splitlines():
+        block = blocks.get(line, block)
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        if not line.startswith("|"):
+            header = []
+        elif not header:
+            header = cells
+        elif header[:2] == ["XML", "JSON"]:
+            yield block, set(re.findall(r"`(\w+)`", " ".join(cells[:2]))), dict(zip(header, cells))
+
+
+def default_of(value, keys):
+    """What counts if the value is missing; None if that depends, or the value must be written in XML."""
+    if value["kind"] == "image":
+        return "none, 1, 1"
+    text = value.get("default")
+    if text is None and not value["required_in_xml"] and (value["required_in_json"] or "needed_by" in value):
+        text = keys[value["json"]].get("example")
+    return text and re.sub(r"[\[\]]", "", text).replace(",", " ")
+
+
+def problems_of_page(words):
+    rows = list(rows_of_page())
+    keys = {key: word for block in words["json"].values() for key, word in block.items()}
     for value in words["values"]:
         names = {value["xml"], value["json"], *value["repeats"]} - {""}
-        if not any(names <= set(row) for row in rows):
+        row = next((cells for block, found, cells in rows if block == value["block"] and names <= found), None)
+        if row is None:
             yield f"docs/format.md has no row of {names}"
+            continue
+        wanted = {"default": default_of(value, keys), "used by": ", ".join(value.get("used_by", [])) or None}
+        for column, text in wanted.items():
+            if text is not None and row[column] != text:
+                yield f"docs/format.md, row of {names}: {column} is {row[column]}, not {text}"
+        for dialect in ("xml", "json"):
+            if (row[dialect.upper()] == "none") != (value[dialect] == ""):
+                yield f"docs/format.md, row of {names}: {dialect} has {value[dialect] or 'no such value'}"
 
 
 found = list(problems(json.loads(subprocess.run(

@@ -63,7 +63,7 @@ ExitCode check_several(const ConvertReport& report) {
 std::string write_scene_file(LoadedScene& scene, const Options& options, Context& context) {
   if (const std::size_t comments = count_comments(scene.text); comments != 0) {
     scene.diagnostics.report(
-        convert_comments, {},
+        "convert.comments"_code, {},
         fmt::format("{} comment{} not carried over", comments, comments == 1 ? " is" : "s are"));
   }
   context.phase = "looking for textures and meshes";

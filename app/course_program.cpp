@@ -122,7 +122,7 @@ std::vector<std::string> path_words(const CourseConfig& config) {
 void check_picture_format(const CourseConfig& config, Diagnostics& diagnostics) {
   if (!diagnostics.has_errors() && !image_format_of(config.output)) {
     diagnostics.report(
-        config_picture_format, config.output_place,
+        "config.picture-format"_code, config.output_place,
         fmt::format("output does not end in {}; it will be a PNG", image_extensions));
   }
 }

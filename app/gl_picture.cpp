@@ -39,7 +39,7 @@ Outcome GlPainter::draw(Image& image, GlReport& report, Context& context) {
     if (options_.realtime) {
       // For the assignment Realtime, realtime.not-drawn reports this.
       scene_.diagnostics.rewrite([](const Code& code, Severity severity) {
-        return &code == &gl_not_drawn ? std::nullopt : std::optional(severity);
+        return &code == &"gl.not-drawn"_code ? std::nullopt : std::optional(severity);
       });
     }
     state_ = std::move(state);
@@ -54,14 +54,14 @@ Outcome GlPainter::draw(Image& image, GlReport& report, Context& context) {
                                    options_.render.width, options_.render.height, &stats);
   if (stats.left_out != 0 && !std::exchange(state_->copies_left_out, true)) {
     scene_.diagnostics.report(
-        gl_copies_left_out, {},
+        "gl.copies-left-out"_code, {},
         fmt::format("the picture shows more than OpenGL draws in a reasonable time: of {} objects "
                     "the farthest {} are left out; the ray tracer draws them all",
                     stats.objects + stats.left_out, stats.left_out));
   }
   if (stats.shadowless != 0 && !std::exchange(state_->shadows_left_out, true)) {
     scene_.diagnostics.report(
-        gl_shadows_left_out, {},
+        "gl.shadows-left-out"_code, {},
         fmt::format(
             "there are more lights than OpenGL keeps shadows for: {} of {} {} no shadows; the "
             "ray tracer draws them all",

@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace scenefile {
@@ -293,13 +295,19 @@ TEST(Usage, ThePageOfCodesIsUpToDate) {
 
 TEST(Usage, EveryCodeHasAPage) {
   const rapidjson::Document help = parse_json(run_program({"help", "--json"}).out);
-  ASSERT_GE(help["codes"].Size(), 60U);
+  ASSERT_GE(help["codes"].Size(), 200U);
+  const std::regex form("[a-z]+[.][a-z0-9]+(-[a-z0-9]+)*");
   std::string last;
   for (const auto& code : help["codes"].GetArray()) {
     const std::string name = code["name"].GetString();
+    EXPECT_TRUE(std::regex_match(name, form)) << name;
     EXPECT_LT(last, name) << "sorted, and each name once";
-    EXPECT_GT(code["summary"].GetStringLength(), 5U) << name;
-    EXPECT_GT(code["help"].GetStringLength(), 5U) << name;
+    const std::string_view summary = code["summary"].GetString();
+    EXPECT_TRUE(summary.size() > 5 && summary.size() < 80) << name;
+    EXPECT_FALSE(summary.ends_with('.')) << name;
+    const std::string_view text = code["help"].GetString();
+    EXPECT_GT(text.size(), 10U) << name;
+    EXPECT_TRUE(text.ends_with('.')) << name;
     last = name;
   }
   EXPECT_EQ(help["commands"].Size(), 13U);

@@ -162,7 +162,7 @@ TEST(FaceMaterials, WithoutALibraryFacesHaveTheMaterialOfTheObject) {
     const Loaded r = load({{"models/a.obj", mesh_of(head, {"red", "blue"})}});
     ASSERT_EQ(r.diagnostics.list().size(), 1u);
     const Diagnostic& d = r.diagnostics.list()[0];
-    EXPECT_EQ(d.code, &mtl_missing);
+    EXPECT_EQ(d.code, &"mtl.missing"_code);
     EXPECT_EQ(d.severity, Severity::warning);
     EXPECT_EQ(d.file, "models/a.obj");
     EXPECT_EQ(d.location.line, head == "\n" ? 5u : 1u);

@@ -52,8 +52,8 @@ TEST(LoadAssets, AFileLargerThanAllowedIsALimit) {
   load_assets(std::vector<FileReference>{{"a.png", {1, 2}}},
               std::vector<FileReference>{{"m.obj", {3, 4}}}, fetch, {}, diagnostics);
   ASSERT_EQ(diagnostics.list().size(), 2u);
-  EXPECT_EQ(diagnostics.list()[0].code, &texture_limit);
-  EXPECT_EQ(diagnostics.list()[1].code, &mesh_limit);
+  EXPECT_EQ(diagnostics.list()[0].code, &"texture.limit"_code);
+  EXPECT_EQ(diagnostics.list()[1].code, &"mesh.limit"_code);
 }
 
 TEST(LoadAssets, EachFileOnceAtItsIndex) {
@@ -165,7 +165,7 @@ TEST(LoadAssets, AMeshThatCannotBeUsedIsAnErrorOrAWarning) {
     EXPECT_EQ(inside.file, "bad.obj");
     EXPECT_EQ(inside.location, (Location{5, 7}));
     const Diagnostic& summary = diagnostics.list()[3];
-    EXPECT_EQ(summary.code, &mesh_unusable);
+    EXPECT_EQ(summary.code, &"mesh.unusable"_code);
     EXPECT_EQ(summary.file, "");
     EXPECT_EQ(summary.location, (Location{5, 6}));
     EXPECT_THAT(summary.message, HasSubstr("mesh \"bad.obj\": 2 errors in the file"));

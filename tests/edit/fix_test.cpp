@@ -198,7 +198,7 @@ TEST(Fix, PlacesAreThoseOfTheOldText) {
   EXPECT_EQ(fixed.made[0].location.column, 1U);
   EXPECT_EQ(fixed.made[1].location.column, 11U);
   EXPECT_EQ(fixed.made[2].location.column, 54U);
-  EXPECT_EQ(fixed.made[2].code, &tree_unknown_template);
+  EXPECT_EQ(fixed.made[2].code, &"tree.unknown-template"_code);
 }
 
 TEST(Fix, LeavesCodesAloneThatAreIgnored) {
@@ -216,7 +216,7 @@ TEST(Fix, CompatCourseKeepsThePrefixThatItReads) {
 TEST(Fix, OneFindingAtATime) {
   const std::string text = xml_with(R"(<object type="master" name="chiar"/>)");
   for (const Diagnostic& d : findings_of(text).list()) {
-    if (d.code == &tree_unknown_template) {
+    if (d.code == &"tree.unknown-template"_code) {
       const std::optional<Edit> edit = fix(text, d);
       ASSERT_TRUE(edit);
       EXPECT_EQ(applied(text, *edit), xml_with(R"(<object type="master" name="chair"/>)"));
@@ -277,8 +277,8 @@ TEST(Fix, FixturesStayWhatTheyAre) {
       EXPECT_EQ(fixed.made.empty(), fixed.text == text);
       changed += fixed.text == text ? 0 : 1;
       const bool stopped = std::any_of(fixed.made.begin(), fixed.made.end(), [](const auto& d) {
-        return d.code == &xml_syntax || d.code == &json_syntax || d.code == &json_number ||
-               d.code == &json_trailing_comma;
+        return d.code == &"xml.syntax"_code || d.code == &"json.syntax"_code ||
+               d.code == &"json.number"_code || d.code == &"json.trailing-comma"_code;
       });
       auto old = counts(before);
       const Diagnostics after = findings_of(fixed.text, options);

@@ -102,7 +102,7 @@ TEST_F(PathExport, TexturesThatAreLeftOutAreReported) {
   scene.assets.mesh_materials[0].materials[1].diffuse_map = 0;
   use(false);
   ASSERT_EQ(diagnostics.list().size(), 1u);
-  EXPECT_EQ(diagnostics.list()[0].code, &export_lost);
+  EXPECT_EQ(diagnostics.list()[0].code, &"export.lost"_code);
   EXPECT_EQ(diagnostics.list()[0].message, "textures of face materials are left out");
 }
 

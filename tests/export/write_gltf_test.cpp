@@ -127,7 +127,7 @@ TEST(WriteGltf, ReportsEachApproximationOnce) {
   write(scene_of(block(cube), light + light), w);
   EXPECT_EQ(w.json["extensions"]["KHR_lights_punctual"]["lights"].Size(), 2u);
   EXPECT_EQ(w.diagnostics.list().size(), 1u);
-  EXPECT_TRUE(says(w, export_approximate));
+  EXPECT_TRUE(says(w, "export.approximate"_code));
 }
 
 TEST(WriteGltf, LightsMatchAtTheCenterOfTheScene) {
@@ -143,7 +143,7 @@ TEST(WriteGltf, ReportsWhatIsLost) {
   const std::string camera =
       R"(<cameradata><pos x="0" y="0" z="5"/><look x="0" y="0" z="-1"/><up x="0" y="1" z="0"/><heightangle v="45"/><aperture v=".1"/><focallength v="5"/></cameradata>)";
   write(scene_of(block(cube), camera), w);
-  EXPECT_TRUE(says(w, export_lost));
+  EXPECT_TRUE(says(w, "export.lost"_code));
   EXPECT_NEAR(w.json["cameras"][0]["perspective"]["yfov"].GetDouble(), 0.785398, 1e-5);
 }
 

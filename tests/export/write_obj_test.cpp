@@ -65,7 +65,7 @@ TEST(WriteObj, CopiesTemplates) {
   diagnostics = Diagnostics();
   EXPECT_EQ(write_obj(scene.scene, {}, {.max_triangles = 23}, diagnostics).obj, "");
   ASSERT_TRUE(diagnostics.has_errors());
-  EXPECT_EQ(diagnostics.list().back().code, &export_size_limit);
+  EXPECT_EQ(diagnostics.list().back().code, &"export.size-limit"_code);
 }
 
 TEST(WriteObj, KeepsPhongMaterialsAndReportsTheRestOnce) {
@@ -88,7 +88,7 @@ TEST(WriteObj, KeepsPhongMaterialsAndReportsTheRestOnce) {
     EXPECT_THAT(obj.mtl, HasSubstr(part));
   }
   ASSERT_EQ(diagnostics.list().size(), 1u);
-  EXPECT_EQ(diagnostics.list()[0].code, &export_lost);
+  EXPECT_EQ(diagnostics.list()[0].code, &"export.lost"_code);
 }
 
 TEST(WriteObj, TexturesAreLinearWithBlendBakedIn) {

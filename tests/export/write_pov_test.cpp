@@ -52,7 +52,7 @@ TEST(WritePov, ReportsApproximations) {
   m.specular = {1, 0, 0};
   m.shininess = 10;
   scene.add(Shape::cube, {}, scene.material(m));
-  EXPECT_TRUE(says(write(scene), pov_approximate));
+  EXPECT_TRUE(says(write(scene), "pov.approximate"_code));
 }
 
 TEST(WritePov, ReportsEachKindOncePerScene) {
@@ -69,7 +69,7 @@ TEST(WritePov, ReportsWhatIsLost) {
   RenderMaterial m;
   m.bump_map.file = scene.texture(1, 1, {0});
   scene.add(Shape::cube, {}, scene.material(m));
-  EXPECT_TRUE(says(write(scene), pov_lost));
+  EXPECT_TRUE(says(write(scene), "pov.lost"_code));
 }
 
 TEST(WritePov, ReportsMissingTextures) {

@@ -124,7 +124,7 @@ TEST(Config, MissingKeysOfThePathTracerAreWarnings) {
       "[IO]\nscene = a.xml\noutput = a.png\n[Settings]\nimageWidth = 4\nimageHeight = 3\n");
   EXPECT_FALSE(read.diagnostics.has_errors());
   EXPECT_EQ(read.diagnostics.count(Severity::warning), 4u);
-  ASSERT_TRUE(read.gives(config_missing_key));
+  ASSERT_TRUE(read.gives("config.missing-key"_code));
   EXPECT_EQ(read.diagnostics.list()[0].message,
             "the configuration is missing [Settings] samplesPerPixel; it counts as 1");
   EXPECT_EQ(read.diagnostics.list()[1].message,
@@ -147,7 +147,7 @@ TEST(Config, KeysOfTheOtherProgramHaveNoEffect) {
   const ConfigReading path(good_path + "[Canvas]\nwidth = 3\n[Feature]\nshadows = true\n");
   EXPECT_EQ(path.diagnostics.count(Severity::warning), 2u);
   EXPECT_EQ(path.diagnostics.list().size(), 2u);
-  EXPECT_TRUE(path.gives(config_unknown_key));
+  EXPECT_TRUE(path.gives("config.unknown-key"_code));
   EXPECT_EQ(path.config.width, 512);
   EXPECT_FALSE(path.config.shadows);
   const ConfigReading ray(good + "[Settings]\nsamplesPerPixel = 0\n");
@@ -197,62 +197,71 @@ TEST_P(ConfigCode, IsNotTriggeredByASimilarFile) {
 INSTANTIATE_TEST_SUITE_P(
     All, ConfigCode,
     ::testing::Values(
-        ConfigCase{&config_syntax,
+        ConfigCase{&"config.syntax"_code,
                    replaced("[Canvas]", "[Canvas"),
                    replaced("[Canvas]", "[ Canvas ]"),
                    {5, 1}},
-        ConfigCase{&config_syntax,
+        ConfigCase{&"config.syntax"_code,
                    replaced("[Canvas]", "[Canvas] x"),
                    replaced("[Canvas]", "[Canvas];x"),
                    {5, 9}},
-        ConfigCase{&config_syntax,
+        ConfigCase{&"config.syntax"_code,
                    replaced("width = 1024", "width 1024\nwidth = 1024"),
                    replaced("width = 1024", "; width 1024\nwidth = 1024"),
                    {6, 2}},
-        ConfigCase{&config_syntax, replaced("width = ", "= "), good, {6, 2}},
-        ConfigCase{&config_syntax,
+        ConfigCase{&"config.syntax"_code, replaced("width = ", "= "), good, {6, 2}},
+        ConfigCase{&"config.syntax"_code,
                    replaced("width = 1024", "width = \"1024"),
                    replaced("width = 1024", "width = \"1024\""),
                    {6, 10}},
-        ConfigCase{&config_backslash,
+        ConfigCase{&"config.backslash"_code,
                    replaced("/out/", "C:\\out\\"),
                    replaced("/out/", "C:\\\\out\\\\"),
                    {3, 13}},
-        ConfigCase{
-            &config_backslash, replaced("/out/", "\\xd800"), replaced("/out/", "\\xd7ff"), {3, 11}},
-        ConfigCase{&config_unknown_key, replaced("shadows =", "shadow ="), good, {10, 2}},
-        ConfigCase{&config_unknown_key, replaced("[Feature]", "[Features]"), good, {10, 2}},
-        ConfigCase{&config_key_case, replaced("[Canvas]", "[canvas]"), good, {6, 2}},
-        ConfigCase{
-            &config_duplicate_key, good + "shadows = false\n", good + "texture = false\n", {17, 1}},
-        ConfigCase{&config_missing_key, replaced("\twidth = 1024\n", ""), good, {0, 0}},
-        ConfigCase{&config_missing_key, "root:x:0:0\n[users]\nsecret = 1\n", good, {0, 0}},
-        ConfigCase{&config_value,
+        ConfigCase{&"config.backslash"_code,
+                   replaced("/out/", "\\xd800"),
+                   replaced("/out/", "\\xd7ff"),
+                   {3, 11}},
+        ConfigCase{&"config.unknown-key"_code, replaced("shadows =", "shadow ="), good, {10, 2}},
+        ConfigCase{&"config.unknown-key"_code, replaced("[Feature]", "[Features]"), good, {10, 2}},
+        ConfigCase{&"config.key-case"_code, replaced("[Canvas]", "[canvas]"), good, {6, 2}},
+        ConfigCase{&"config.duplicate-key"_code,
+                   good + "shadows = false\n",
+                   good + "texture = false\n",
+                   {17, 1}},
+        ConfigCase{&"config.missing-key"_code, replaced("\twidth = 1024\n", ""), good, {0, 0}},
+        ConfigCase{&"config.missing-key"_code, "root:x:0:0\n[users]\nsecret = 1\n", good, {0, 0}},
+        ConfigCase{&"config.value"_code,
                    replaced("width = 1024", "width = 0"),
                    replaced("width = 1024", "width = 1"),
                    {6, 10}},
-        ConfigCase{&config_value, replaced("width = 1024", "width = 10.5"), good, {6, 10}},
-        ConfigCase{
-            &config_value, replaced_path("= 0.9", "= 1.5"), replaced_path("= 0.9", "= 1"), {9, 28}},
-        ConfigCase{&config_value,
+        ConfigCase{&"config.value"_code, replaced("width = 1024", "width = 10.5"), good, {6, 10}},
+        ConfigCase{&"config.value"_code,
+                   replaced_path("= 0.9", "= 1.5"),
+                   replaced_path("= 0.9", "= 1"),
+                   {9, 28}},
+        ConfigCase{&"config.value"_code,
                    replaced_path("= 0.9", "= nan"),
                    replaced_path("= 0.9", "= .5"),
                    {9, 28}},
-        ConfigCase{&config_value,
+        ConfigCase{&"config.value"_code,
                    replaced_path("= 100", "= -1"),
                    replaced_path("= 100", "= 65536"),
                    {8, 23}},
-        ConfigCase{&config_value, replaced_path("= 100", "= 65537"), good_path, {8, 23}},
+        ConfigCase{&"config.value"_code, replaced_path("= 100", "= 65537"), good_path, {8, 23}},
+        ConfigCase{&"config.zero"_code,
+                   replaced_path("= 100", "= 0"),
+                   replaced_path("= 100", "= 1"),
+                   {8, 23}},
         ConfigCase{
-            &config_zero, replaced_path("= 100", "= 0"), replaced_path("= 100", "= 1"), {8, 23}},
-        ConfigCase{&config_key_case, replaced_path("imageWidth", "imagewidth"), good_path, {6, 5}},
-        ConfigCase{&config_unknown_key, good_path + "threads = 4\n", good_path, {12, 1}},
-        ConfigCase{&config_value,
+            &"config.key-case"_code, replaced_path("imageWidth", "imagewidth"), good_path, {6, 5}},
+        ConfigCase{&"config.unknown-key"_code, good_path + "threads = 4\n", good_path, {12, 1}},
+        ConfigCase{&"config.value"_code,
                    replaced("shadows = true", "shadows = yes"),
                    replaced("shadows = true", "shadows = 1"),
                    {10, 12}},
-        ConfigCase{&config_value, replaced("/out/test_unit_cone.png", ""), good, {3, 11}},
-        ConfigCase{&config_value,
+        ConfigCase{&"config.value"_code, replaced("/out/test_unit_cone.png", ""), good, {3, 11}},
+        ConfigCase{&"config.value"_code,
                    good + "[Settings]\nmaximum-recursive-depth = 65\n",
                    good + "[Settings]\nmaximum-recursive-depth = 64\n",
                    {18, 27}}));

@@ -35,24 +35,24 @@ void expect_finding(const SyntaxCase& c) {
 
 TEST(JsonSyntax, NumbersSayHowToWriteThem) {
   const SyntaxCase cases[] = {
-      {"{\"a\": .6}", json_number, {1, 7}, "write 0.6"},
-      {"{\"a\": -.6}", json_number, {1, 7}, "write -0.6"},
-      {"{\"a\": 1.}", json_number, {1, 7}, "write 1.0"},
-      {"{\"a\": 1.e5}", json_number, {1, 7}, "write 1.0e5"},
-      {"{\"a\": +1}", json_number, {1, 7}, "write 1.0"},
-      {"{\"a\": 007.5}", json_number, {1, 7}, "write 7.5"},
-      {"[01]", json_number, {1, 2}, "write 1.0"},
-      {"{\"a\": 1e}", json_number, {1, 7}, "write 1.0"},
-      {"{\"a\": 0x1F}", json_number, {1, 7}, "\"0x1F\" is not a JSON number; write 31"},
-      {"{\"a\": 45deg}", json_number, {1, 7}, "\"45deg\" is not a JSON number; write 45"},
-      {"{\"a\": [0, 1_000]}", json_number, {1, 11}, "write 1000"},
-      {"{\"a\": --5}", json_number, {1, 7}, "write -5"},
-      {"{\"a\": 1.2.3}", json_number, {1, 7}, "\"1.2.3\" is not a JSON number"},
-      {"{\"a\": -1,5}", json_number, {1, 7}, "\"-1,5\" is not a JSON number; write -1.5"},
-      {"{\"a\": -}", json_number, {1, 7}, "\"-\" is not a JSON number"},
-      {"{\"a\": NaN}", json_number, {1, 7}, "JSON has no \"NaN\""},
-      {"{\"a\": -Infinity}", json_number, {1, 7}, "JSON has no \"-Infinity\""},
-      {"{\"a\": 1e400}", json_number_range, {1, 7}, "too large"},
+      {"{\"a\": .6}", "json.number"_code, {1, 7}, "write 0.6"},
+      {"{\"a\": -.6}", "json.number"_code, {1, 7}, "write -0.6"},
+      {"{\"a\": 1.}", "json.number"_code, {1, 7}, "write 1.0"},
+      {"{\"a\": 1.e5}", "json.number"_code, {1, 7}, "write 1.0e5"},
+      {"{\"a\": +1}", "json.number"_code, {1, 7}, "write 1.0"},
+      {"{\"a\": 007.5}", "json.number"_code, {1, 7}, "write 7.5"},
+      {"[01]", "json.number"_code, {1, 2}, "write 1.0"},
+      {"{\"a\": 1e}", "json.number"_code, {1, 7}, "write 1.0"},
+      {"{\"a\": 0x1F}", "json.number"_code, {1, 7}, "\"0x1F\" is not a JSON number; write 31"},
+      {"{\"a\": 45deg}", "json.number"_code, {1, 7}, "\"45deg\" is not a JSON number; write 45"},
+      {"{\"a\": [0, 1_000]}", "json.number"_code, {1, 11}, "write 1000"},
+      {"{\"a\": --5}", "json.number"_code, {1, 7}, "write -5"},
+      {"{\"a\": 1.2.3}", "json.number"_code, {1, 7}, "\"1.2.3\" is not a JSON number"},
+      {"{\"a\": -1,5}", "json.number"_code, {1, 7}, "\"-1,5\" is not a JSON number; write -1.5"},
+      {"{\"a\": -}", "json.number"_code, {1, 7}, "\"-\" is not a JSON number"},
+      {"{\"a\": NaN}", "json.number"_code, {1, 7}, "JSON has no \"NaN\""},
+      {"{\"a\": -Infinity}", "json.number"_code, {1, 7}, "JSON has no \"-Infinity\""},
+      {"{\"a\": 1e400}", "json.number-range"_code, {1, 7}, "too large"},
   };
   for (const SyntaxCase& c : cases) {
     expect_finding(c);
@@ -72,23 +72,26 @@ TEST(JsonSyntax, OnlyNumbersAreProposedAndOnlyShortOnes) {
 
 TEST(JsonSyntax, CommasAndBrackets) {
   const SyntaxCase cases[] = {
-      {"{\"a\": [1, 2,]}", json_trailing_comma, {1, 12}, "before the closing ]"},
-      {"{\"a\": 1,\n}", json_trailing_comma, {1, 8}, "before the closing }"},
-      {"{\"a\": 1,, \"b\": 2}", json_syntax, {1, 9}, "two commas"},
-      {"[, 1]", json_syntax, {1, 2}, "a comma before the first"},
-      {"{\"a\": 1 \"b\": 2}", json_syntax, {1, 7}, "expected a comma after this"},
-      {"[1 2]", json_syntax, {1, 2}, "expected a comma after this"},
-      {"{\"a\": [1, 2}}", json_syntax, {1, 12}, "the array that begins at line 1, column 7"},
-      {"{\"a\": 1]", json_syntax, {1, 8}, "the object that begins at line 1, column 1"},
-      {"{\"groups\": [\n\"name\": 1]}", json_syntax, {2, 7}, "the { in front of it is missing"},
-      {"{\"a\": 0.5; \"b\": 1}", json_syntax, {1, 10}, "not by semicolons"},
-      {"{\"a\" = 1}", json_syntax, {1, 6}, "not by ="},
-      {"{\"a\" 1}", json_syntax, {1, 6}, "expected a colon"},
-      {"{\"a\": (1, 2)}", json_syntax, {1, 7}, "an array is written in square brackets"},
-      {"{\"a\": {{}}}", json_syntax, {1, 8}, "a list of objects is written in [ ]"},
-      {"{\"a\": 1/2}", json_syntax, {1, 8}, "does not calculate"},
-      {"{}}", json_after_end, {1, 3}, "follows the end"},
-      {"{} {}", json_after_end, {1, 4}, "follows the end"},
+      {"{\"a\": [1, 2,]}", "json.trailing-comma"_code, {1, 12}, "before the closing ]"},
+      {"{\"a\": 1,\n}", "json.trailing-comma"_code, {1, 8}, "before the closing }"},
+      {"{\"a\": 1,, \"b\": 2}", "json.syntax"_code, {1, 9}, "two commas"},
+      {"[, 1]", "json.syntax"_code, {1, 2}, "a comma before the first"},
+      {"{\"a\": 1 \"b\": 2}", "json.syntax"_code, {1, 7}, "expected a comma after this"},
+      {"[1 2]", "json.syntax"_code, {1, 2}, "expected a comma after this"},
+      {"{\"a\": [1, 2}}", "json.syntax"_code, {1, 12}, "the array that begins at line 1, column 7"},
+      {"{\"a\": 1]", "json.syntax"_code, {1, 8}, "the object that begins at line 1, column 1"},
+      {"{\"groups\": [\n\"name\": 1]}",
+       "json.syntax"_code,
+       {2, 7},
+       "the { in front of it is missing"},
+      {"{\"a\": 0.5; \"b\": 1}", "json.syntax"_code, {1, 10}, "not by semicolons"},
+      {"{\"a\" = 1}", "json.syntax"_code, {1, 6}, "not by ="},
+      {"{\"a\" 1}", "json.syntax"_code, {1, 6}, "expected a colon"},
+      {"{\"a\": (1, 2)}", "json.syntax"_code, {1, 7}, "an array is written in square brackets"},
+      {"{\"a\": {{}}}", "json.syntax"_code, {1, 8}, "a list of objects is written in [ ]"},
+      {"{\"a\": 1/2}", "json.syntax"_code, {1, 8}, "does not calculate"},
+      {"{}}", "json.after-end"_code, {1, 3}, "follows the end"},
+      {"{} {}", "json.after-end"_code, {1, 4}, "follows the end"},
   };
   for (const SyntaxCase& c : cases) {
     expect_finding(c);
@@ -97,21 +100,21 @@ TEST(JsonSyntax, CommasAndBrackets) {
 
 TEST(JsonSyntax, WordsAndQuotes) {
   const SyntaxCase cases[] = {
-      {"{a: 1}", json_syntax, {1, 2}, "the key \"a\" must be in double quotes"},
-      {"{'a': 1}", json_syntax, {1, 2}, "double quotes"},
+      {"{a: 1}", "json.syntax"_code, {1, 2}, "the key \"a\" must be in double quotes"},
+      {"{'a': 1}", "json.syntax"_code, {1, 2}, "double quotes"},
       {"{\"a\": \"b, \"c\": 1}",
-       json_syntax,
+       "json.syntax"_code,
        {1, 12},
        "an earlier string is missing its closing one"},
-      {"{\u201Ca\u201D: 1}", json_syntax, {1, 2}, "a typographic quotation mark"},
-      {"{\u00A0\"a\": 1}", json_syntax, {1, 2}, "a special space character, U+00A0"},
-      {"{\"a\": True}", json_syntax, {1, 7}, "True is written true"},
-      {"{\"a\": None}", json_syntax, {1, 7}, "None is written null"},
-      {"{\"a\": tru}", json_syntax, {1, 7}, "\"tru\" is not a value"},
-      {"{\"a\": cube}", json_syntax, {1, 7}, "\"cube\" is not a value"},
-      {"{ // note\n}", json_comment, {1, 3}, "no comments"},
-      {"{\"a\": 1 /* b */}", json_comment, {1, 9}, "no comments"},
-      {"{\"a\": 1\n# b\n}", json_comment, {2, 1}, "no comments"},
+      {"{\u201Ca\u201D: 1}", "json.syntax"_code, {1, 2}, "a typographic quotation mark"},
+      {"{\u00A0\"a\": 1}", "json.syntax"_code, {1, 2}, "a special space character, U+00A0"},
+      {"{\"a\": True}", "json.syntax"_code, {1, 7}, "True is written true"},
+      {"{\"a\": None}", "json.syntax"_code, {1, 7}, "None is written null"},
+      {"{\"a\": tru}", "json.syntax"_code, {1, 7}, "\"tru\" is not a value"},
+      {"{\"a\": cube}", "json.syntax"_code, {1, 7}, "\"cube\" is not a value"},
+      {"{ // note\n}", "json.comment"_code, {1, 3}, "no comments"},
+      {"{\"a\": 1 /* b */}", "json.comment"_code, {1, 9}, "no comments"},
+      {"{\"a\": 1\n# b\n}", "json.comment"_code, {2, 1}, "no comments"},
   };
   for (const SyntaxCase& c : cases) {
     expect_finding(c);
@@ -121,17 +124,17 @@ TEST(JsonSyntax, WordsAndQuotes) {
 TEST(JsonSyntax, Strings) {
   using namespace std::string_view_literals;
   const SyntaxCase cases[] = {
-      {"{\"a\": \"b\nc\"}", json_string, {1, 9}, "closing quote is missing"},
-      {"{\"a\": \"b\tc\"}", json_string, {1, 9}, "\"\\t\""},
-      {"{\"a\": \"\\q\"}", json_string, {1, 8}, "unknown escape \"\\q\""},
-      {"{\"a\": \"\\u12g4\"}", json_string, {1, 8}, "\"\\u12g4\""},
-      {"{\"a\": \"\\ud800\"}", json_string, {1, 8}, "surrogate"},
-      {"{\"a\": \"\\udc00\"}", json_string, {1, 7}, "surrogate"},
-      {"{\"\\udc00\": 1}", json_string, {1, 2}, "surrogate"},
-      {"{\"a\": \"\xff\"}", format_encoding, {1, 8}, "not UTF-8"},
-      {"{\"a\": \"\xed\xa0\x80\"}", format_encoding, {1, 8}, "not UTF-8"},
-      {"{\"a\": \"x\0y\"}"sv, json_syntax, {1, 9}, "NUL"},
-      {"{}\0"sv, json_syntax, {1, 3}, "NUL"},
+      {"{\"a\": \"b\nc\"}", "json.string"_code, {1, 9}, "closing quote is missing"},
+      {"{\"a\": \"b\tc\"}", "json.string"_code, {1, 9}, "\"\\t\""},
+      {"{\"a\": \"\\q\"}", "json.string"_code, {1, 8}, "unknown escape \"\\q\""},
+      {"{\"a\": \"\\u12g4\"}", "json.string"_code, {1, 8}, "\"\\u12g4\""},
+      {"{\"a\": \"\\ud800\"}", "json.string"_code, {1, 8}, "surrogate"},
+      {"{\"a\": \"\\udc00\"}", "json.string"_code, {1, 7}, "surrogate"},
+      {"{\"\\udc00\": 1}", "json.string"_code, {1, 2}, "surrogate"},
+      {"{\"a\": \"\xff\"}", "format.encoding"_code, {1, 8}, "not UTF-8"},
+      {"{\"a\": \"\xed\xa0\x80\"}", "format.encoding"_code, {1, 8}, "not UTF-8"},
+      {"{\"a\": \"x\0y\"}"sv, "json.syntax"_code, {1, 9}, "NUL"},
+      {"{}\0"sv, "json.syntax"_code, {1, 3}, "NUL"},
   };
   for (const SyntaxCase& c : cases) {
     expect_finding(c);
@@ -141,13 +144,13 @@ TEST(JsonSyntax, Strings) {
 TEST(JsonSyntax, TheEnd) {
   const SyntaxCase cases[] = {
       {"{\"a\": [1,\n 2",
-       json_truncated,
+       "json.truncated"_code,
        {2, 3},
        "inside the array that begins at line 1, column 7"},
-      {"{\"a\":", json_truncated, {1, 6}, "inside the object"},
-      {"{\"a\": \"b", json_truncated, {1, 9}, "inside the object"},
-      {"", json_truncated, {1, 1}, "no JSON value"},
-      {"-", json_truncated, {1, 2}, "in the middle of a value"},
+      {"{\"a\":", "json.truncated"_code, {1, 6}, "inside the object"},
+      {"{\"a\": \"b", "json.truncated"_code, {1, 9}, "inside the object"},
+      {"", "json.truncated"_code, {1, 1}, "no JSON value"},
+      {"-", "json.truncated"_code, {1, 2}, "in the middle of a value"},
   };
   for (const SyntaxCase& c : cases) {
     expect_finding(c);
@@ -157,18 +160,19 @@ TEST(JsonSyntax, TheEnd) {
 TEST(JsonSyntax, ConflictMarkersAreNamed) {
   for (const std::string marker : {"<<<<<<< HEAD", "=======", ">>>>>>> theirs"}) {
     const std::string text = "{\"a\": 1,\n" + marker + "\n\"b\": 2}";
-    expect_finding({text, json_conflict_marker, {2, 1}, marker});
+    expect_finding({text, "json.conflict-marker"_code, {2, 1}, marker});
   }
 }
 
 TEST(JsonSyntax, ColumnsCountCharacters) {
-  expect_finding({"{\"\xc3\xa4\xe2\x82\xac\xf0\x9f\x98\x80\": .5}", json_number, {1, 9}, "0.5"});
+  expect_finding(
+      {"{\"\xc3\xa4\xe2\x82\xac\xf0\x9f\x98\x80\": .5}", "json.number"_code, {1, 9}, "0.5"});
 }
 
 TEST(JsonSyntax, LinesEndInAnyWay) {
-  expect_finding({"{\r\n\"a\":\r\n.5}", json_number, {3, 1}, "0.5"});
-  expect_finding({"{\r\"a\":\r.5}", json_number, {3, 1}, "0.5"});
-  expect_finding({"{\r\n\"a\":\r .5}", json_number, {3, 2}, "0.5"});
+  expect_finding({"{\r\n\"a\":\r\n.5}", "json.number"_code, {3, 1}, "0.5"});
+  expect_finding({"{\r\"a\":\r.5}", "json.number"_code, {3, 1}, "0.5"});
+  expect_finding({"{\r\n\"a\":\r .5}", "json.number"_code, {3, 2}, "0.5"});
 }
 
 TEST(JsonSyntax, NestingIsBounded) {
@@ -176,15 +180,15 @@ TEST(JsonSyntax, NestingIsBounded) {
   options.limits.nesting = 3;
   Diagnostics fine;
   read_json("[[[]]]", options, fine);
-  EXPECT_EQ(fine.list().front().code, &json_wrong_type);
+  EXPECT_EQ(fine.list().front().code, &"json.wrong-type"_code);
   Diagnostics deep;
   read_json("[[[\n[]]]]", options, deep);
   ASSERT_EQ(deep.list().size(), 1u);
-  EXPECT_EQ(deep.list().front().code, &json_limit);
+  EXPECT_EQ(deep.list().front().code, &"json.limit"_code);
   EXPECT_EQ(deep.list().front().location, (Location{2, 1}));
   const Diagnostics very_deep = diagnostics_of(std::string(1'000'000, '['));
   ASSERT_EQ(very_deep.list().size(), 1u);
-  EXPECT_EQ(very_deep.list().front().code, &json_limit);
+  EXPECT_EQ(very_deep.list().front().code, &"json.limit"_code);
 }
 
 TEST(JsonSyntax, LargeFilesAreRejected) {
@@ -193,7 +197,7 @@ TEST(JsonSyntax, LargeFilesAreRejected) {
   Diagnostics diagnostics;
   read_json("{    }", options, diagnostics);
   ASSERT_EQ(diagnostics.list().size(), 1u);
-  EXPECT_EQ(diagnostics.list().front().code, &json_limit);
+  EXPECT_EQ(diagnostics.list().front().code, &"json.limit"_code);
 }
 
 // A small scene with a value of each kind.

@@ -44,7 +44,7 @@ std::string written(const Scene& scene, SceneFormat format) {
   std::string text = write_scene(scene, format, {}, diagnostics);
   RC_ASSERT(!diagnostics.has_errors());
   for (const Diagnostic& d : diagnostics.list()) {
-    RC_ASSERT(d.severity == Severity::note || d.code == &write_light_turned);
+    RC_ASSERT(d.severity == Severity::note || d.code == &"write.light-turned"_code);
   }
   return text;
 }

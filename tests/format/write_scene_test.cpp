@@ -306,7 +306,7 @@ TEST(WriteScene, ATemplateCalledRootGetsAnotherNameInXml) {
   Diagnostics writing;
   const std::string xml = write_scene(scene, SceneFormat::xml, {}, writing);
   ASSERT_EQ(writing.list().size(), 1u);
-  EXPECT_EQ(writing.list()[0].code, &write_renamed);
+  EXPECT_EQ(writing.list()[0].code, &"write.renamed"_code);
   EXPECT_TRUE(same_meaning(scene, read_scene(xml, {}, reading)));
   EXPECT_FALSE(reading.has_errors());
 }
@@ -320,7 +320,7 @@ TEST(WriteScene, DeepScenesNeedNoStack) {
   scene.nodes[node].primitives.push_back(primitive(Shape::cube));
   for (const SceneFormat format : {SceneFormat::xml, SceneFormat::json}) {
     scene.nodes[node].primitives.resize(2);
-    EXPECT_TRUE(write(scene, format).gives(write_nesting_limit));
+    EXPECT_TRUE(write(scene, format).gives("write.nesting-limit"_code));
   }
 }
 
@@ -336,7 +336,7 @@ TEST(WriteScene, TheNestingLimitIsThatOfTheReader) {
       const Written written = write(scene, format, options.limits);
       Diagnostics diagnostics;
       read_scene(written.text, options, diagnostics);
-      EXPECT_EQ(written.gives(write_nesting_limit), diagnostics.has_errors()) << depth;
+      EXPECT_EQ(written.gives("write.nesting-limit"_code), diagnostics.has_errors()) << depth;
     }
   }
 }
@@ -433,39 +433,40 @@ std::vector<CodeCase> code_cases() {
   const Transform grow = {Scale{{2, 2, 2}}, {}};
   using enum SceneFormat;
   return {
-      {write_light_moved, xml, [=](Scene& s) { add_light(s, 1, point); },
+      {"write.light-moved"_code, xml, [=](Scene& s) { add_light(s, 1, point); },
        [=](Scene& s) { add_light(s, 0, point); }},
-      {write_light_limit, xml, lights(1025), lights(1024)},
-      {write_light_turned, xml, area_under({Rotate{{0, 0, 1}, 30}, {}}),
+      {"write.light-limit"_code, xml, lights(1025), lights(1024)},
+      {"write.light-turned"_code, xml, area_under({Rotate{{0, 0, 1}, 30}, {}}),
        area_under({Rotate{{0, 1, 0}, 30}, {}})},
-      {write_light_dark, xml,
+      {"write.light-dark"_code, xml,
        [=](Scene& s) {
          add_light(s, 1, point);
          s.nodes[1].lights[0].type = LightType::directional;
        },
        [=](Scene& s) { add_light(s, 1, with_id(light(LightType::directional))); }},
-      {write_light_id, xml, [=](Scene& s) { add_light(s, 0, light(LightType::point)); },
+      {"write.light-id"_code, xml, [=](Scene& s) { add_light(s, 0, light(LightType::point)); },
        [=](Scene& s) { add_light(s, 0, point); }},
-      {write_light_id, json, [=](Scene& s) { add_light(s, 0, point); },
+      {"write.light-id"_code, json, [=](Scene& s) { add_light(s, 0, point); },
        [=](Scene& s) { add_light(s, 0, light(LightType::point)); }},
-      {write_light_name, xml,
+      {"write.light-name"_code, xml,
        [=](Scene& s) {
          add_light(s, 0, point);
          s.nodes[0].lights[0].name = "sun";
        },
        [=](Scene& s) { add_light(s, 0, point); }},
-      {write_scene_name, xml, [](Scene& s) { s.name = "desk"; }, [](Scene& s) { s.name = "root"; }},
-      {write_area_light, json, area_under(move),
+      {"write.scene-name"_code, xml, [](Scene& s) { s.name = "desk"; },
+       [](Scene& s) { s.name = "root"; }},
+      {"write.area-light"_code, json, area_under(move),
        [=](Scene& s) { add_light(s, 1, light(LightType::spot)); }},
-      {write_default_camera, json, [](Scene& s) { s.camera.reset(); }, [](Scene&) {}},
-      {write_transforms_nested, json,
+      {"write.default-camera"_code, json, [](Scene& s) { s.camera.reset(); }, [](Scene&) {}},
+      {"write.transforms-nested"_code, json,
        [=](Scene& s) {
          s.nodes[1].transforms = {grow, move};
        },
        [=](Scene& s) {
          s.nodes[1].transforms = {move, grow};
        }},
-      {write_renamed, json,
+      {"write.renamed"_code, json,
        [=](Scene& s) {
          add_template(s, "arm");
          named("arm")(s);
@@ -474,16 +475,16 @@ std::vector<CodeCase> code_cases() {
          add_template(s, "arm");
          named("Arm")(s);
        }},
-      {write_renamed, xml, named("root"), named("Root")},
-      {write_empty_group, xml, [](Scene& s) { add_child(s, 1); },
+      {"write.renamed"_code, xml, named("root"), named("Root")},
+      {"write.empty-group"_code, xml, [](Scene& s) { add_child(s, 1); },
        [=](Scene& s) { add_light(s, add_child(s, 1), point); }},
-      {write_empty_group, json, [](Scene& s) { add_child(s, 1); },
+      {"write.empty-group"_code, json, [](Scene& s) { add_child(s, 1); },
        [=](Scene& s) { add_light(s, add_child(s, 1), point); }},
-      {write_matrix_row, xml, matrix_with(2), matrix_with(1)},
-      {write_character, xml, mesh_of("a\x01.obj"), mesh_of("a\t.obj")},
-      {write_character, json, mesh_of("a\xff.obj"), mesh_of("a\x01.obj")},
-      {write_nesting_limit, json, nested(600), nested(500)},
-      {write_nesting_limit, xml, nested(600), nested(500)},
+      {"write.matrix-row"_code, xml, matrix_with(2), matrix_with(1)},
+      {"write.character"_code, xml, mesh_of("a\x01.obj"), mesh_of("a\t.obj")},
+      {"write.character"_code, json, mesh_of("a\xff.obj"), mesh_of("a\x01.obj")},
+      {"write.nesting-limit"_code, json, nested(600), nested(500)},
+      {"write.nesting-limit"_code, xml, nested(600), nested(500)},
   };
 }
 

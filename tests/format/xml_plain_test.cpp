@@ -88,11 +88,11 @@ TEST(XmlPlain, LimitsHold) {
   limits.attributes = 1;
   EXPECT_TRUE(is_read_without_expat("<abc><b abc='1234'/></abc>", limits));
   const std::pair<std::string_view, const Code*> cases[] = {
-      {"<a><b><c/></b></a>", &xml_nesting_limit},
-      {"<abcd/>", &xml_length_limit},
-      {"<a abcd='1'/>", &xml_length_limit},
-      {"<a b='12345'/>", &xml_length_limit},
-      {"<a b='1' c='2'/>", &xml_attribute_limit}};
+      {"<a><b><c/></b></a>", &"xml.nesting-limit"_code},
+      {"<abcd/>", &"xml.length-limit"_code},
+      {"<a abcd='1'/>", &"xml.length-limit"_code},
+      {"<a b='12345'/>", &"xml.length-limit"_code},
+      {"<a b='1' c='2'/>", &"xml.attribute-limit"_code}};
   for (const auto& [text, code] : cases) {
     const Told told = events_of(text, limits);
     EXPECT_FALSE(told.reading.complete) << text;
@@ -111,7 +111,7 @@ TEST(XmlPlain, NothingIsReadAfterMarkupThatIsTooLong) {
     const Told told = events_of(text, {});
     EXPECT_FALSE(told.reading.complete) << text.substr(0, 12);
     ASSERT_EQ(told.diagnostics.list().size(), 1u) << text.substr(0, 12);
-    EXPECT_EQ(told.diagnostics.list().front().code, &xml_length_limit) << text.substr(0, 12);
+    EXPECT_EQ(told.diagnostics.list().front().code, &"xml.length-limit"_code) << text.substr(0, 12);
   }
 }
 

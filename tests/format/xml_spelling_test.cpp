@@ -135,7 +135,7 @@ Element scene_of(const std::vector<int>& seeds) {
 // The first finding that is not about the order of attributes; empty if there is none.
 std::string other_finding(const Reading& reading) {
   for (const Diagnostic& d : reading.diagnostics.list()) {
-    if (d.code != &xml_attribute_order) {
+    if (d.code != &"xml.attribute-order"_code) {
       return d.message;
     }
   }

@@ -19,8 +19,9 @@ namespace {
 // Findings that only programs that edit scenes can cause, but no text.
 void require_well_built(const Diagnostics& diagnostics) {
   for (const Diagnostic& diagnostic : diagnostics.list()) {
-    require(diagnostic.code != &scene_bad_index && diagnostic.code != &scene_shared_node &&
-                diagnostic.code != &scene_not_finite,
+    require(diagnostic.code != &"scene.bad-index"_code &&
+                diagnostic.code != &"scene.shared-node"_code &&
+                diagnostic.code != &"scene.not-finite"_code,
             "the reader builds a forest of finite values");
   }
 }
@@ -44,9 +45,9 @@ void judge(std::string_view text, const ReadOptions& options) {
   const Scene same = read_scene(text, options, again);
   require(again.list().size() == diagnostics.list().size(), "reading is a function");
   // NaN, for numbers that could not be read, is not equal to itself.
-  const bool no_root =
-      std::any_of(diagnostics.list().begin(), diagnostics.list().end(),
-                  [](const Diagnostic& diagnostic) { return diagnostic.code == &xml_no_root; });
+  const bool no_root = std::any_of(
+      diagnostics.list().begin(), diagnostics.list().end(),
+      [](const Diagnostic& diagnostic) { return diagnostic.code == &"xml.no-root"_code; });
   require(scene.incomplete == (diagnostics.has_errors() || no_root),
           "a scene of a file with errors, or without a root, says so");
   require(scene.incomplete || scene == same, "reading gives the same finite values each time");

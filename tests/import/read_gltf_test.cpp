@@ -156,12 +156,12 @@ TEST(ReadGltf, AddsACameraAndALight) {
 }
 
 TEST(ReadGltf, RejectsOtherFiles) {
-  EXPECT_EQ(first_error(""), &import_not_a_model);
-  EXPECT_EQ(first_error("{}"), &import_not_a_model);
-  EXPECT_EQ(first_error("glTF"), &import_not_a_model);
+  EXPECT_EQ(first_error(""), &"import.not-a-model"_code);
+  EXPECT_EQ(first_error("{}"), &"import.not-a-model"_code);
+  EXPECT_EQ(first_error("glTF"), &"import.not-a-model"_code);
   EXPECT_EQ(first_error(std::string("glTF\2\0\0\0\x14\0\0\0\xff\0\0\0JSON", 20)),
-            &import_not_a_model);
-  EXPECT_EQ(first_error("{\"asset\":{\"version\":\"1.0\"}}"), &import_unsupported);
+            &"import.not-a-model"_code);
+  EXPECT_EQ(first_error("{\"asset\":{\"version\":\"1.0\"}}"), &"import.unsupported"_code);
 }
 
 TEST(ReadGltf, ChecksEachNumberBeforeItIsUsed) {
@@ -173,31 +173,32 @@ TEST(ReadGltf, ChecksEachNumberBeforeItIsUsed) {
 
 TEST(ReadGltf, ChecksTheTreeOfNodes) {
   const std::string start = "{\"asset\":{\"version\":\"2.0\"},\"nodes\":";
-  EXPECT_EQ(first_error(start + "[{\"children\":[0]}]}"), &import_value);
-  EXPECT_EQ(first_error(start + "[{\"children\":[1]}]}"), &import_value);
-  EXPECT_EQ(first_error(start + "[{\"children\":[2]},{\"children\":[2]},{}]}"), &import_value);
+  EXPECT_EQ(first_error(start + "[{\"children\":[0]}]}"), &"import.value"_code);
+  EXPECT_EQ(first_error(start + "[{\"children\":[1]}]}"), &"import.value"_code);
+  EXPECT_EQ(first_error(start + "[{\"children\":[2]},{\"children\":[2]},{}]}"),
+            &"import.value"_code);
   // A loop that the scene does not contain is not reached.
   EXPECT_EQ(first_error(start + "[{\"children\":[1]},{\"children\":[0]},{}]}"), nullptr);
   EXPECT_EQ(
       first_error(start + "[{\"children\":[1]},{\"children\":[0]}],\"scenes\":[{\"nodes\":[0]}]}"),
-      &import_value);
+      &"import.value"_code);
 }
 
 TEST(ReadGltf, EnforcesItsLimits) {
   Limits limits;
   limits.mesh_triangles = 0;
-  EXPECT_EQ(first_error(triangle(), limits), &import_limit);
+  EXPECT_EQ(first_error(triangle(), limits), &"import.limit"_code);
   limits = {};
   limits.mesh_bytes = 200;
-  EXPECT_EQ(first_error(triangle(), limits), &import_limit);
+  EXPECT_EQ(first_error(triangle(), limits), &"import.limit"_code);
   limits = {};
   limits.nesting = 3;
-  EXPECT_EQ(first_error(triangle(), limits), &import_limit);
+  EXPECT_EQ(first_error(triangle(), limits), &"import.limit"_code);
 }
 
 TEST(ReadGltf, RejectsRequiredExtensionsThatChangeTheData) {
   EXPECT_EQ(first_error(triangle("3", R"(,"extensionsRequired":["KHR_draco_mesh_compression"])")),
-            &import_unsupported);
+            &"import.unsupported"_code);
   EXPECT_EQ(first_error(triangle("3", R"(,"extensionsRequired":["KHR_materials_ior"])")), nullptr);
 }
 

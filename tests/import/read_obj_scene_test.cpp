@@ -61,7 +61,7 @@ TEST(ReadObjScene, ReadsWithoutItsFiles) {
   EXPECT_FALSE(diagnostics.has_errors());
   EXPECT_EQ(scene.files.size(), 2u);
   ASSERT_FALSE(diagnostics.list().empty());
-  EXPECT_EQ(diagnostics.list()[0].code, &import_missing_file);
+  EXPECT_EQ(diagnostics.list()[0].code, &"import.missing-file"_code);
 }
 
 TEST(ReadObjScene, RejectsOtherFiles) {
@@ -78,7 +78,7 @@ TEST(ReadObjScene, EnforcesTheLimitOfMeshes) {
   options.limits.mesh_bytes = 700;
   read_obj_scene(two_triangles, options, diagnostics);
   ASSERT_TRUE(diagnostics.has_errors());
-  EXPECT_EQ(diagnostics.list().back().code, &import_limit);
+  EXPECT_EQ(diagnostics.list().back().code, &"import.limit"_code);
 }
 
 TEST(ReadObjScene, RoundTrips) {

@@ -263,8 +263,8 @@ TEST(CheckView, ClaimsAreTrueOfThePicture) {
   EXPECT_TRUE(rc::check("no false claims", [] {
     const SceneBuilder b = random_scene();
     const Diagnostics found = judge(b, true, 2);
-    const bool nothing = gives(found, camera_nothing_in_view);
-    const bool unlit = gives(found, scene_unlit);
+    const bool nothing = gives(found, "camera.nothing-in-view"_code);
+    const bool unlit = gives(found, "scene.unlit"_code);
     RC_CLASSIFY(nothing, "nothing in view");
     RC_CLASSIFY(unlit, "unlit");
     RC_PRE(nothing || unlit);

@@ -80,7 +80,7 @@ TEST(Deep, ALongLoopIsFoundAndNamedShortly) {
   Diagnostics diagnostics;
   check(scene, Limits{}, diagnostics);
   ASSERT_TRUE(diagnostics.has_errors());
-  EXPECT_EQ(diagnostics.list()[0].code, &tree_loop);
+  EXPECT_EQ(diagnostics.list()[0].code, &"tree.loop"_code);
   EXPECT_LT(diagnostics.list()[0].message.size(), 300u);
   EXPECT_GE(prepare(scene, Limits{}).scene.groups.size(), 1u);
 }

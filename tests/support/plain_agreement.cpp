@@ -107,8 +107,9 @@ class ExpatLog {
 // Whether there was a mistake after which our reader goes on where Expat stops.
 bool has_repair(const Diagnostics& diagnostics) {
   return std::any_of(diagnostics.list().begin(), diagnostics.list().end(), [](const Diagnostic& d) {
-    return d.code == &xml_syntax && (d.message.find("; write ") != std::string::npos ||
-                                     d.message.find("; did you mean </") != std::string::npos);
+    return d.code == &"xml.syntax"_code &&
+           (d.message.find("; write ") != std::string::npos ||
+            d.message.find("; did you mean </") != std::string::npos);
   });
 }
 
@@ -137,10 +138,10 @@ bool agrees_with_expat(std::string_view text, const Limits& limits) {
     return expat.failed && told.said.starts_with(expat.said);
   }
   const Code* const code = told.diagnostics.list().front().code;
-  if (code == &xml_syntax || code == &xml_conflict_marker) {
+  if (code == &"xml.syntax"_code || code == &"xml.conflict-marker"_code) {
     return expat.failed && told.said == expat.said && !told.reading.complete;
   }
-  return code == &xml_comment || expat.said.starts_with(told.said);
+  return code == &"xml.comment"_code || expat.said.starts_with(told.said);
 }
 
 }  // namespace scenefile::testing

@@ -1,185 +1,144 @@
 #pragma once
 // Every kind of finding about textures and meshes.
 
-#include "scenefile/base/diagnostics.h"
-
-#include <span>
+#include "scenefile/base/code.h"
 
 namespace scenefile {
 
-inline constexpr Code texture_missing{
-    "texture.missing", Severity::warning, "a texture file cannot be read",
-    "The object is shaded with its diffuse color instead. Paths are looked up next to the scene, "
-    "in the folders image, images, texture, textures next to it and its parent, and in each "
-    "--asset-root. Case is ignored only if there is no exact match."};
+inline constexpr Code asset_codes[] = {
+    {"texture.missing", Severity::warning, "a texture file cannot be read",
+     "The object is shaded with its diffuse color instead. Paths are looked up next to the scene, "
+     "in the folders image, images, texture, textures next to it and its parent, and in each "
+     "--asset-root. Case is ignored only if there is no exact match."},
 
-inline constexpr Code texture_undecodable{
-    "texture.undecodable", Severity::warning, "a texture file is not an image, or is damaged",
-    "The object is shaded with its diffuse color instead. PNG, JPEG, GIF, TGA and uncompressed BMP "
-    "are read, whatever the extension. A file that is truncated or fails its checksums is not "
-    "used: open it in an image editor and save it again as PNG."};
+    {"texture.undecodable", Severity::warning, "a texture file is not an image, or is damaged",
+     "The object is shaded with its diffuse color instead. PNG, JPEG, GIF, TGA and uncompressed "
+     "BMP are read, whatever the extension. A file that is truncated or fails its checksums is not "
+     "used: open it in an image editor and save it again as PNG."},
 
-inline constexpr Code texture_limit{
-    "texture.limit", Severity::warning, "a texture is larger than the limits allow",
-    "The object is shaded with its diffuse color instead. The limits keep a small file that "
-    "unpacks to a huge image from using up memory. Make the image smaller, or raise the limit.",
-    CodeKind::limit};
+    {"texture.limit", Severity::warning, "a texture is larger than the limits allow",
+     "The object is shaded with its diffuse color instead. The limits keep a small file that "
+     "unpacks to a huge image from using up memory. Make the image smaller, or raise the limit.",
+     CodeKind::limit},
 
-inline constexpr Code mesh_missing{
-    "mesh.missing",
-    Severity::error,
-    "a mesh file cannot be read",
-    "Paths are looked up next to the scene, in the folders mesh, meshes, model, models next to it "
-    "and its parent, and in each --asset-root. With --allow-missing the scene is drawn without it.",
-    CodeKind::plain,
-    Severity::warning};
+    {"mesh.missing", Severity::error, "a mesh file cannot be read",
+     "Paths are looked up next to the scene, in the folders mesh, meshes, model, models next to it "
+     "and its parent, and in each --asset-root. With --allow-missing the scene is drawn without "
+     "it.",
+     CodeKind::plain, Severity::warning},
 
-inline constexpr Code mesh_unusable{
-    "mesh.unusable",
-    Severity::error,
-    "a mesh file has errors",
-    "The findings above, in the mesh file itself, say what is wrong and where. With "
-    "--allow-missing the scene is drawn without the mesh.",
-    CodeKind::plain,
-    Severity::warning};
+    {"mesh.unusable", Severity::error, "a mesh file has errors",
+     "The findings above, in the mesh file itself, say what is wrong and where. With "
+     "--allow-missing the scene is drawn without the mesh.",
+     CodeKind::plain, Severity::warning},
 
-inline constexpr Code mesh_not_obj{
-    "mesh.not-obj",
-    Severity::error,
-    "a file is not a Wavefront OBJ file",
-    "Meshes are read from the text format of Wavefront: lines that begin with v, vt, vn and f. "
-    "Other formats (PLY, STL, FBX, glTF, binary .obj object code) must be converted. A warning "
-    "with --allow-missing.",
-    CodeKind::plain,
-    Severity::warning};
+    {"mesh.not-obj", Severity::error, "a file is not a Wavefront OBJ file",
+     "Meshes are read from the text format of Wavefront: lines that begin with v, vt, vn and f. "
+     "Other formats (PLY, STL, FBX, glTF, binary .obj object code) must be converted. A warning "
+     "with --allow-missing.",
+     CodeKind::plain, Severity::warning},
 
-inline constexpr Code mesh_number{"mesh.number",
-                                  Severity::error,
-                                  "a coordinate is missing or is not a finite number",
-                                  "v and vn need three numbers, vt one to three. nan and inf are "
-                                  "not numbers that can be drawn. A warning with --allow-missing.",
-                                  CodeKind::plain,
-                                  Severity::warning};
+    {"mesh.number", Severity::error, "a coordinate is missing or is not a finite number",
+     "v and vn need three numbers, vt one to three. nan and inf are not numbers that can be drawn. "
+     "A warning with --allow-missing.",
+     CodeKind::plain, Severity::warning},
 
-inline constexpr Code mesh_index{
-    "mesh.index",
-    Severity::error,
-    "a face names a vertex, uv or normal that does not exist",
-    "The corners of a face are written v, v/vt, v//vn or v/vt/vn, where each is the number of a "
-    "line of that kind, counted from 1, or from the end when negative (-1 is the last so far). If "
-    "only normals are missing, a warning: their triangles are shaded flat. Also a warning with "
-    "--allow-missing.",
-    CodeKind::plain,
-    Severity::warning};
+    {"mesh.index", Severity::error, "a face names a vertex, uv or normal that does not exist",
+     "The corners of a face are written v, v/vt, v//vn or v/vt/vn, where each is the number of a "
+     "line of that kind, counted from 1, or from the end when negative (-1 is the last so far). If "
+     "only normals are missing, a warning: their triangles are shaded flat. Also a warning with "
+     "--allow-missing.",
+     CodeKind::plain, Severity::warning},
 
-inline constexpr Code mesh_limit{
-    "mesh.limit",
-    Severity::error,
-    "a mesh is larger than the limits allow",
-    "The number of triangles and their memory are bounded over all meshes of a scene. Reduce the "
-    "mesh, or raise the limit. A warning with --allow-missing.",
-    CodeKind::limit,
-    Severity::warning};
+    {"mesh.limit", Severity::error, "a mesh is larger than the limits allow",
+     "The number of triangles and their memory are bounded over all meshes of a scene. Reduce the "
+     "mesh, or raise the limit. A warning with --allow-missing.",
+     CodeKind::limit, Severity::warning},
 
-inline constexpr Code mesh_short_face{"mesh.short-face", Severity::warning,
-                                      "a face has fewer than three corners",
-                                      "It has no area and is left out."};
+    {"mesh.short-face", Severity::warning, "a face has fewer than three corners",
+     "It has no area and is left out."},
 
-inline constexpr Code mesh_degenerate{
-    "mesh.degenerate", Severity::warning, "triangles without area",
-    "Their corners coincide or lie on a line; they are left out. They are invisible, but often a "
-    "sign of a bug in the program that wrote the file."};
+    {"mesh.degenerate", Severity::warning, "triangles without area",
+     "Their corners coincide or lie on a line; they are left out. They are invisible, but often a "
+     "sign of a bug in the program that wrote the file."},
 
-inline constexpr Code mesh_zero_normal{
-    "mesh.zero-normal", Severity::warning, "normals of length zero",
-    "They have no direction. Triangles that use them are shaded flat."};
+    {"mesh.zero-normal", Severity::warning, "normals of length zero",
+     "They have no direction. Triangles that use them are shaded flat."},
 
-inline constexpr Code mesh_unknown_keyword{
-    "mesh.unknown-keyword", Severity::warning, "a line of a mesh file is not understood",
-    "Polygons are read (v, vt, vn, f); groups, materials, lines and points are skipped silently. "
-    "Free-form curves and surfaces are not drawn. Reported once for each keyword."};
+    {"mesh.unknown-keyword", Severity::warning, "a line of a mesh file is not understood",
+     "Polygons are read (v, vt, vn, f); groups, materials, lines and points are skipped silently. "
+     "Free-form curves and surfaces are not drawn. Reported once for each keyword."},
 
-inline constexpr Code mesh_empty{"mesh.empty", Severity::warning, "a mesh has nothing to draw",
-                                 "The file has no face with an area, so the object is invisible."};
+    {"mesh.empty", Severity::warning, "a mesh has nothing to draw",
+     "The file has no face with an area, so the object is invisible."},
 
-inline constexpr Code mtl_missing{
-    "mtl.missing", Severity::warning, "a material library of a mesh cannot be read",
-    "The faces have the material of their object instead. An OBJ file names its libraries after "
-    "mtllib, relative to its own folder; the first that can be read counts. Materials are read in "
-    "scenes without lights, and for the path tracer."};
+    {"mtl.missing", Severity::warning, "a material library of a mesh cannot be read",
+     "The faces have the material of their object instead. An OBJ file names its libraries after "
+     "mtllib, relative to its own folder; the first that can be read counts. Materials are read in "
+     "scenes without lights, and for the path tracer."},
 
-inline constexpr Code mtl_no_material{
-    "mtl.no-material", Severity::warning, "a material library without a material",
-    "Each material begins with a line newmtl NAME. Without one, the faces have the material of "
-    "their object. The file may be empty, or in another format."};
+    {"mtl.no-material", Severity::warning, "a material library without a material",
+     "Each material begins with a line newmtl NAME. Without one, the faces have the material of "
+     "their object. The file may be empty, or in another format."},
 
-inline constexpr Code mtl_unknown_material{
-    "mtl.unknown-material", Severity::warning, "a face has a material that no library defines",
-    "Its faces have the material of their object instead; the course's program may crash. The name "
-    "after usemtl must be that after newmtl, with the same case. Reported once for each name."};
+    {"mtl.unknown-material", Severity::warning, "a face has a material that no library defines",
+     "Its faces have the material of their object instead; the course's program may crash. The "
+     "name after usemtl must be that after newmtl, with the same case. Reported once for each "
+     "name."},
 
-inline constexpr Code mtl_duplicate{
-    "mtl.duplicate", Severity::warning, "two materials with the same name",
-    "The first one counts, as in the course's program. Rename or remove the other."};
+    {"mtl.duplicate", Severity::warning, "two materials with the same name",
+     "The first one counts, as in the course's program. Rename or remove the other."},
 
-inline constexpr Code mtl_before_newmtl{
-    "mtl.before-newmtl", Severity::warning, "a value before the first material",
-    "A value belongs to the last newmtl above it. Values before the first one have no effect."};
+    {"mtl.before-newmtl", Severity::warning, "a value before the first material",
+     "A value belongs to the last newmtl above it. Values before the first one have no effect."},
 
-inline constexpr Code mtl_unknown_keyword{
-    "mtl.unknown-keyword", Severity::warning, "a line of a material library is not understood",
-    "The keywords newmtl, Kd, Ks, Ke, Ns, Ni, Tf (or Kt), d, Tr, illum, map_Kd, map_Ks and map_Ke "
-    "are read; Ka and other values of the format are skipped silently. Case matters. Reported once "
-    "for each keyword."};
+    {"mtl.unknown-keyword", Severity::warning, "a line of a material library is not understood",
+     "The keywords newmtl, Kd, Ks, Ke, Ns, Ni, Tf (or Kt), d, Tr, illum, map_Kd, map_Ks and map_Ke "
+     "are read; Ka and other values of the format are skipped silently. Case matters. Reported "
+     "once for each keyword."},
 
-inline constexpr Code mtl_value{
-    "mtl.value", Severity::warning, "a value of a material cannot be read",
-    "It keeps its default, as if the line were missing. Colors are three numbers, r g b, with "
-    "decimal points."};
+    {"mtl.value", Severity::warning, "a value of a material cannot be read",
+     "It keeps its default, as if the line were missing. Colors are three numbers, r g b, with "
+     "decimal points."},
 
-inline constexpr Code mtl_range{
-    "mtl.range", Severity::warning, "a value of a material is out of range",
-    "Colors and Ns are not negative, Ni is above 0, d and Tr are between 0 and 1. The nearest "
-    "valid value is used; for Ni its default."};
+    {"mtl.range", Severity::warning, "a value of a material is out of range",
+     "Colors and Ns are not negative, Ni is above 0, d and Tr are between 0 and 1. The nearest "
+     "valid value is used; for Ni its default."},
 
-inline constexpr Code mtl_limit{
-    "mtl.limit", Severity::warning, "material libraries are larger than the limits allow",
-    "Materials count toward the limit for the memory of all meshes. Faces whose material is left "
-    "out have the material of their object. Reduce the library, or raise the limit.",
-    CodeKind::limit};
+    {"mtl.limit", Severity::warning, "material libraries are larger than the limits allow",
+     "Materials count toward the limit for the memory of all meshes. Faces whose material is left "
+     "out have the material of their object. Reduce the library, or raise the limit.",
+     CodeKind::limit},
 
-inline constexpr Code mtl_energy{
-    "mtl.energy", Severity::note, "a material reflects more light than it receives",
-    "Where Kd + Ks is above 1 in a channel, each reflection adds energy, so the picture is too "
-    "bright. It is drawn as written, as in the course's program. Scale Kd and Ks down so that "
-    "their sum is at most 1."};
+    {"mtl.energy", Severity::note, "a material reflects more light than it receives",
+     "Where Kd + Ks is above 1 in a channel, each reflection adds energy, so the picture is too "
+     "bright. It is drawn as written, as in the course's program. Scale Kd and Ks down so that "
+     "their sum is at most 1."},
 
-inline constexpr Code mtl_illum{
-    "mtl.illum", Severity::note, "an illumination model that is drawn as another one",
-    "illum 5 is a mirror and illum 7 is refraction with Fresnel reflection, as in the assignment; "
-    "all others are drawn from Kd and Ks alone."};
+    {"mtl.illum", Severity::note, "an illumination model that is drawn as another one",
+     "illum 5 is a mirror and illum 7 is refraction with Fresnel reflection, as in the assignment; "
+     "all others are drawn from Kd and Ks alone."},
 
-inline constexpr Code mtl_mirror_ior{
-    "mtl.mirror-ior", Severity::note, "a mirror without an index of refraction",
-    "In the MTL format, illum 5 is a mirror with Fresnel reflection, and with the default Ni of 1 "
-    "it reflects nothing. In the assignment, and here, it reflects all light, times Ks."};
+    {"mtl.mirror-ior", Severity::note, "a mirror without an index of refraction",
+     "In the MTL format, illum 5 is a mirror with Fresnel reflection, and with the default Ni of 1 "
+     "it reflects nothing. In the assignment, and here, it reflects all light, times Ks."},
 
-inline constexpr Code mtl_opacity{
-    "mtl.opacity", Severity::note, "transparency that is not drawn",
-    "d and Tr have no effect on the picture. Glass is illum 7, with Ni as its index of "
-    "refraction."};
+    {"mtl.opacity", Severity::note, "transparency that is not drawn",
+     "d and Tr have no effect on the picture. Glass is illum 7, with Ni as its index of "
+     "refraction."},
 
-inline constexpr Code mtl_map_option{
-    "mtl.map-option", Severity::note, "an option of a texture that is not applied",
-    "Options between map_Kd and the file name move, scale or recolor the texture. The texture is "
-    "drawn by the uvs of the mesh alone."};
+    {"mtl.map-option", Severity::note, "an option of a texture that is not applied",
+     "Options between map_Kd and the file name move, scale or recolor the texture. The texture is "
+     "drawn by the uvs of the mesh alone."},
 
-inline constexpr Code mtl_leading_point{
-    "mtl.leading-point", Severity::note, "a number that starts with a point",
-    "tinyobjloader 1.1, which the course's path tracer contains, reads .5 as 0. Here it is 0.5. "
-    "Reported once for each library."};
+    {"mtl.leading-point", Severity::note, "a number that starts with a point",
+     "tinyobjloader 1.1, which the course's path tracer contains, reads .5 as 0. Here it is 0.5. "
+     "Reported once for each library."},
+};
 
-/// All of the above.
-std::span<const Code* const> asset_codes();
+template <CodeName name>
+consteval const Code& operator""_code() requires(find_code(asset_codes, name) != nullptr) {
+  return *find_code(asset_codes, name);
+}
 
 }  // namespace scenefile

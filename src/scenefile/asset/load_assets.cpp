@@ -95,9 +95,10 @@ class TextureLoader {
   void report(const Waiting& one) {
     if (!one.bytes) {
       const Error& error = one.bytes.error();
-      warn(is_limit(error) ? texture_limit : texture_missing, one, error.text, error.notes);
+      warn(is_limit(error) ? "texture.limit"_code : "texture.missing"_code, one, error.text,
+           error.notes);
     } else if (one.error) {
-      warn(is_limit(*one.error) ? texture_limit : texture_undecodable, one,
+      warn(is_limit(*one.error) ? "texture.limit"_code : "texture.undecodable"_code, one,
            "cannot decode: " + one.error->text, {});
     }
   }
@@ -134,7 +135,8 @@ class MeshLoader {
     const Result<std::string> bytes = fetch_(file.name);
     if (!bytes) {
       const Error& error = bytes.error();
-      report(is_limit(error) ? mesh_limit : mesh_missing, file, error.text, error.notes);
+      report(is_limit(error) ? "mesh.limit"_code : "mesh.missing"_code, file, error.text,
+             error.notes);
       return {};
     }
     Diagnostics findings(options_.limits);
@@ -145,7 +147,7 @@ class MeshLoader {
       diagnostics_.add(std::move(finding));
     }
     if (const std::size_t errors = findings.count(Severity::error); errors > 0) {
-      report(mesh_unusable, file,
+      report("mesh.unusable"_code, file,
              fmt::format("{} error{} in the file", errors, errors == 1 ? "" : "s"), {});
     }
     return mesh;

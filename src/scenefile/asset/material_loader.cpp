@@ -135,15 +135,15 @@ std::vector<MaterialLoader::Library*> MaterialLoader::read_libraries(const std::
       continue;
     }
     report(
-        library->error->kind == ErrorKind::limit ? mtl_limit : mtl_missing, line.back().location,
-        mesh,
+        library->error->kind == ErrorKind::limit ? "mtl.limit"_code : "mtl.missing"_code,
+        line.back().location, mesh,
         fmt::format("the material library {}: {}; faces with its materials have that of the object",
                     quoted(line.back().name, 200), library->error->text),
         library->error->notes);
   }
   if (written.libraries.empty()) {
     const FileReference& name = written.names.front();
-    report(mtl_missing, name.location, mesh,
+    report("mtl.missing"_code, name.location, mesh,
            fmt::format("the file uses the material {} and names no library; add a line mtllib "
                        "FILE.mtl",
                        quoted(name.name)));
@@ -184,7 +184,7 @@ bool MaterialLoader::add_material(const std::string& mesh, const FileReference& 
     const MtlMaterial& material = library->materials[found->second];
     const std::uint64_t bytes = sizeof(FaceMaterial) + material.name.size() + library->file.size();
     if (bytes > budget_) {
-      report(mtl_limit, name.location, mesh,
+      report("mtl.limit"_code, name.location, mesh,
              fmt::format("the material {} is left out: no memory is left of the limit for all "
                          "meshes",
                          quoted(name.name)));
@@ -210,15 +210,15 @@ void MaterialLoader::report_unknown(const std::string& mesh, const FileReference
   std::vector<std::string_view> known;
   for (const Library* library : libraries) {
     for (const MtlMaterial& material : library->materials) {
-      if (known.size() < max_known && diagnostics_.dropped(mtl_unknown_material) == 0) {
+      if (known.size() < max_known && diagnostics_.dropped("mtl.unknown-material"_code) == 0) {
         known.push_back(material.name);
       }
     }
   }
   const std::string_view meant = nearest_name(name.name, known);
   diagnostics_.add(
-      {&mtl_unknown_material,
-       mtl_unknown_material.severity,
+      {&"mtl.unknown-material"_code,
+       "mtl.unknown-material"_code.severity,
        name.location,
        mesh,
        fmt::format("no library defines the material {}; its faces have the material of the "
@@ -281,23 +281,25 @@ void MaterialLoader::judge(const Library& library, const MtlMaterial& written,
   const float most = std::max({reflected.x, reflected.y, reflected.z});
   constexpr float rounding = 1e-4f;
   if (m.illum != glass && most > 1 + rounding) {
-    note(mtl_energy, fmt::format("{} of the material {} is {} in a channel: it reflects more "
-                                 "light than it receives",
-                                 m.illum == mirror ? "Ks" : "Kd + Ks", name, number_text(most)));
+    note("mtl.energy"_code,
+         fmt::format("{} of the material {} is {} in a channel: it reflects more "
+                     "light than it receives",
+                     m.illum == mirror ? "Ks" : "Kd + Ks", name, number_text(most)));
   }
   if (m.illum == mirror && !written.ior) {
-    note(mtl_mirror_ior,
+    note("mtl.mirror-ior"_code,
          fmt::format("the material {} is drawn as a mirror; illum 5 without Ni reflects nothing "
                      "in other programs",
                      name));
   }
   if (m.illum < 0 || (m.illum > 2 && m.illum != mirror && m.illum != glass)) {
-    note(mtl_illum, fmt::format("illum {} of the material {} is drawn like illum 2, from Kd and "
-                                "Ks",
-                                m.illum, name));
+    note("mtl.illum"_code,
+         fmt::format("illum {} of the material {} is drawn like illum 2, from Kd and "
+                     "Ks",
+                     m.illum, name));
   }
   if (written.opacity.value_or(1) != 1) {
-    note(mtl_opacity,
+    note("mtl.opacity"_code,
          fmt::format("d {} of the material {} is not drawn: only illum 7 is transparent",
                      number_text(*written.opacity), name));
   }

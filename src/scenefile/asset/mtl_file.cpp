@@ -131,7 +131,7 @@ class MtlReader {
     from_d_ = false;
     if (!names_.insert(name).second) {
       duplicate_ = true;
-      report(mtl_duplicate, draft_->location,
+      report("mtl.duplicate"_code, draft_->location,
              fmt::format("the material {} is already defined; this definition is not used",
                          quoted(name)));
     }
@@ -149,7 +149,7 @@ class MtlReader {
       bytes += ((*draft_).*map).name.size();
     }
     if (bytes > budget_) {
-      report(mtl_limit, draft_->location,
+      report("mtl.limit"_code, draft_->location,
              "the materials from here on are skipped: no memory is left of the limit for all "
              "meshes");
       return false;
@@ -165,7 +165,7 @@ class MtlReader {
     if (parsed.error != NumberError::none) {
       const char* what = parsed.error == NumberError::out_of_range ? "is too large for a number"
                                                                    : "is not a number";
-      report(mtl_value, words_.location(word.empty() ? keyword : word),
+      report("mtl.value"_code, words_.location(word.empty() ? keyword : word),
              word.empty() ? fmt::format("{} needs a number; it keeps its default", keyword)
                           : fmt::format("{} in {} {}; {} keeps its default", quoted(word), keyword,
                                         what, keyword));
@@ -182,7 +182,7 @@ class MtlReader {
                  float most) {
     const float used = std::clamp(value, least, most);
     if (used != value) {
-      report(mtl_range, words_.location(word),
+      report("mtl.range"_code, words_.location(word),
              fmt::format("{} {} is {}; {} is used", keyword, escaped(word, 40),
                          value < least ? "negative" : "above 1", number_text(used)));
     }
@@ -211,7 +211,7 @@ class MtlReader {
       read[count] = in_range(keyword, word, *value, 0, std::numeric_limits<float>::max());
     }
     if (count < 3) {
-      report(mtl_value, words_.location(keyword),
+      report("mtl.value"_code, words_.location(keyword),
              fmt::format("{} needs three numbers, r g b; the missing ones are taken to be {}, "
                          "and 0 by the course's program",
                          keyword, number_text(read.x)));
@@ -226,7 +226,7 @@ class MtlReader {
     if (value && *value > 0) {
       draft_->ior = value;
     } else if (value) {
-      report(mtl_range, words_.location(word),
+      report("mtl.range"_code, words_.location(word),
              fmt::format("Ni {} is not above 0; it keeps its default", escaped(word, 40)));
     }
   }
@@ -253,7 +253,7 @@ class MtlReader {
     if (value && std::abs(*value) <= most && std::floor(*value) == *value) {
       draft_->illum = static_cast<int>(*value);
     } else if (value) {
-      report(mtl_value, words_.location(word),
+      report("mtl.value"_code, words_.location(word),
              fmt::format("illum {} is not the number of a model, 0 to 10; it keeps its default",
                          escaped(word, 40)));
     }
@@ -266,13 +266,13 @@ class MtlReader {
       const Location location = words_.location(word);
       word = words_.next_word();
       if (!skip_values(*option, word)) {
-        report(mtl_map_option, location,
+        report("mtl.map-option"_code, location,
                fmt::format("{} of {} is not applied; the texture is drawn without it", option->name,
                            keyword));
       }
     }
     if (word.empty()) {
-      report(mtl_value, words_.location(keyword),
+      report("mtl.value"_code, words_.location(keyword),
              fmt::format("{} needs the name of a file", keyword));
       return;
     }
@@ -325,13 +325,13 @@ class MtlReader {
 
   void finish() {
     if (names_.empty()) {
-      report(mtl_no_material, {},
+      report("mtl.no-material"_code, {},
              orphan_.second.known() ? "this is not a material library: no line begins with newmtl"
                                     : "the material library is empty: no line begins with newmtl");
       return;
     }
     if (orphan_.second.known()) {
-      report(mtl_before_newmtl, orphan_.second,
+      report("mtl.before-newmtl"_code, orphan_.second,
              fmt::format("{} comes before any newmtl and belongs to no material",
                          quoted(orphan_.first)));
     }
@@ -344,13 +344,13 @@ class MtlReader {
     }
     for (const auto& [keyword, location] : unknown_) {
       const std::string_view meant = nearest_name(keyword, known);
-      report(mtl_unknown_keyword, location,
+      report("mtl.unknown-keyword"_code, location,
              fmt::format("unknown keyword {} is skipped{}", quoted(keyword),
                          meant.empty() ? "" : fmt::format("; did you mean {}?", meant)),
              correction(keyword, meant, known));
     }
     if (point_.known()) {
-      report(mtl_leading_point, point_,
+      report("mtl.leading-point"_code, point_,
              "the course's program reads a number without a digit before the point, such as .5, "
              "as 0; write 0.5");
     }

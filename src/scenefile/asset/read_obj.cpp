@@ -200,7 +200,7 @@ class ObjReader {
     }
     if (!is_obj || (known_ == 0 && !unknown_.empty())) {
       const Location first = is_obj ? unknown_.front().second : Location{};
-      report(mesh_not_obj, first,
+      report("mesh.not-obj"_code, first,
              "this is not an OBJ file: no line begins with v, f or another OBJ keyword");
     }
     if (errors_ == 0) {
@@ -269,7 +269,7 @@ class ObjReader {
       ++count;
     }
     if (count < least) {
-      report(mesh_number, words_.location(keyword),
+      report("mesh.number"_code, words_.location(keyword),
              fmt::format("{} needs {} numbers and has {}", keyword, least, count));
     }
     return result;
@@ -278,7 +278,7 @@ class ObjReader {
   void report_number(std::string_view keyword, std::string_view word, NumberError error) {
     const char* what =
         error == NumberError::out_of_range ? "is too large for a number" : "is not a finite number";
-    report(mesh_number, words_.location(word),
+    report("mesh.number"_code, words_.location(word),
            fmt::format("{} in {} {}", may_quote_ ? quoted(word) : "a word", keyword, what));
   }
 
@@ -311,7 +311,7 @@ class ObjReader {
       ++count;
     }
     if (count < 3) {
-      report(mesh_short_face, location,
+      report("mesh.short-face"_code, location,
              fmt::format("a face with {} corner{} is left out: it needs three", count,
                          count == 1 ? "" : "s"));
     }
@@ -352,7 +352,7 @@ class ObjReader {
     std::string missing_normal;
     const Result<Corner> corner = parse_corner(word, lists, missing_normal);
     if (!corner) {
-      report(mesh_index, words_.location(word),
+      report("mesh.index"_code, words_.location(word),
              may_quote_ ? corner.error().text : "this is not a corner of a face");
       return {};
     }
@@ -396,12 +396,12 @@ class ObjReader {
     constexpr std::string_view known[] = {"v", "vt", "vn", "f", "usemtl", "mtllib"};
     for (const auto& [keyword, location] : unknown_) {
       if (is_free_form(keyword)) {
-        report(mesh_unknown_keyword, location,
+        report("mesh.unknown-keyword"_code, location,
                fmt::format("{} is skipped: curves and surfaces are not drawn", keyword));
         continue;
       }
       const std::string_view meant = nearest_name(keyword, known);
-      report(mesh_unknown_keyword, location,
+      report("mesh.unknown-keyword"_code, location,
              fmt::format("unknown keyword{} is skipped{}", may_quote_ ? " " + quoted(keyword) : "",
                          meant.empty() ? "" : fmt::format("; did you mean {}?", meant)),
              may_quote_ ? correction(keyword, meant, known) : std::nullopt);
@@ -413,7 +413,7 @@ class ObjReader {
       make_flat();
     }
     if (missing_normals_ > 0) {
-      report(mesh_index, Severity::warning, first_missing_normal_,
+      report("mesh.index"_code, Severity::warning, first_missing_normal_,
              fmt::format("{}; {} corner{} without {} normal: the triangles are shaded flat",
                          missing_normal_, missing_normals_, missing_normals_ == 1 ? " is" : "s are",
                          missing_normals_ == 1 ? "its" : "their"));
@@ -427,12 +427,12 @@ class ObjReader {
     drop_unused(mesh_.triangle_uvs);
     drop_unused(mesh_.triangle_normals);
     if (const std::size_t dropped = all - mesh_.triangles.size(); dropped > 0) {
-      report(mesh_degenerate, {},
+      report("mesh.degenerate"_code, {},
              fmt::format("{} degenerate triangle{} without area {} left out", dropped,
                          dropped == 1 ? "" : "s", dropped == 1 ? "is" : "are"));
     }
     if (mesh_.triangles.empty()) {
-      report(mesh_empty, {},
+      report("mesh.empty"_code, {},
              known_ == 0
                  ? "the file is empty: there is nothing to draw"
                  : fmt::format("there is nothing to draw: {} vertices, no face with an area",
@@ -448,7 +448,7 @@ class ObjReader {
         }
       }
     }
-    report(mesh_zero_normal, first_zero_normal_,
+    report("mesh.zero-normal"_code, first_zero_normal_,
            fmt::format("{} normal{} of length zero: triangles that use them are shaded flat",
                        zero_normals_, zero_normals_ == 1 ? "" : "s"));
   }
@@ -496,7 +496,7 @@ Mesh read_obj(std::string_view text, const std::string& file_name, const Limits&
   ObjReader reader(text, file_name, limits, diagnostics, materials);
   const std::string too_large = over_limits(reader.counts(), triangle_budget, byte_budget);
   if (!too_large.empty()) {
-    reader.report(mesh_limit, {}, too_large);
+    reader.report("mesh.limit"_code, {}, too_large);
     return {};
   }
   Mesh mesh = reader.read();

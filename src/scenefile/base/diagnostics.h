@@ -3,42 +3,18 @@
 // Diagnostics and return as much as they could read. After an error the result must not be used;
 // after a warning it can be used, with the default that the warning states.
 
+#include "scenefile/base/code.h"
 #include "scenefile/base/limits.h"
 #include "scenefile/base/location.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <unordered_map>
 #include <vector>
 
 namespace scenefile {
-
-enum class Severity : std::uint8_t { note, warning, error };
-
-/// Special treatment of the findings of a code.
-enum class CodeKind : std::uint8_t {
-  plain,
-  dialect,  ///< a spelling of a dialect: an error under `--strict`
-  limit,    ///< a limit was reached; as an error it has a separate exit status
-  absence   ///< something is missing from the scene; not reported when parts of the scene could not
-            ///< be read
-};
-
-/// A kind of finding. Each is one constant in the `codes.h` of the room that reports it; its
-/// address is its identity, its name is stable across versions.
-struct Code {
-  std::string_view name;     ///< such as "camera.up-parallel-to-look"
-  Severity severity;         ///< the default; a report may override it
-  std::string_view summary;  ///< one line: what is wrong
-  std::string_view help;     ///< why it matters and what to do
-  CodeKind kind = CodeKind::plain;
-  /// The other severity that some reports use; `help` says when.
-  std::optional<Severity> otherwise = std::nullopt;
-};
 
 /// What to write instead of a word of the file: the answer to "did you mean ...?", as data.
 struct Correction {

@@ -186,7 +186,7 @@ Changes json_changes(std::string_view text, std::size_t at, const Diagnostic& fi
     return {change_of(at, written.size() + 2, as_json_string(instead))};
   }
   const auto replaced = [&](std::string_view string) {
-    const bool number = finding.code == &json_wrong_type;
+    const bool number = finding.code == &"json.wrong-type"_code;
     return Changes{change_of(static_cast<std::size_t>(string.data() - text.data()), string.size(),
                              number ? instead : as_json_string(instead))};
   };
@@ -239,9 +239,10 @@ Reading read_and_check(std::string_view text, ReadOptions options) {
 
 // Mistakes at which reading may stop.
 bool is_syntax(const Diagnostic& finding) {
-  constexpr const Code* codes[] = {&xml_syntax,   &xml_comment, &xml_entity,
-                                   &json_syntax,  &json_string, &json_trailing_comma,
-                                   &json_comment, &json_number, &json_truncated};
+  constexpr const Code* codes[] = {
+      &"xml.syntax"_code,   &"xml.comment"_code, &"xml.entity"_code,
+      &"json.syntax"_code,  &"json.string"_code, &"json.trailing-comma"_code,
+      &"json.comment"_code, &"json.number"_code, &"json.truncated"_code};
   return finding.severity == Severity::error &&
          std::find(std::begin(codes), std::end(codes), finding.code) != std::end(codes);
 }

@@ -85,7 +85,7 @@ RenderMaterial material_of(const FaceMaterial& face, bool maps, Diagnostics& dia
     }
   }
   if (left_out) {
-    report_once(export_lost,
+    report_once("export.lost"_code,
                 maps ? "textures of specular and emitted colors are left out"
                      : "textures of face materials are left out",
                 diagnostics);

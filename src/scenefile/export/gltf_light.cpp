@@ -45,7 +45,7 @@ std::string cone(const RenderLight& light) {
 
 std::string gltf_light(const RenderLight& light, const Bounds& box, Diagnostics& diagnostics) {
   const auto note = [&](std::string_view text) {
-    report_once(export_approximate, text, diagnostics);
+    report_once("export.approximate"_code, text, diagnostics);
   };
   const glm::vec3 color = glm::max(light.color, glm::vec3(0));
   const double strongest = largest(color);
@@ -63,13 +63,13 @@ std::string gltf_light(const RenderLight& light, const Bounds& box, Diagnostics&
       more = cone(light);
       note("the edge of a spotlight falls off by the cosine of the angle, not by the angle");
       if (double(light.outer_angle) > pi / 2) {
-        report_once(export_lost, "a spotlight wider than 180 degrees becomes one of 180 degrees",
-                    diagnostics);
+        report_once("export.lost"_code,
+                    "a spotlight wider than 180 degrees becomes one of 180 degrees", diagnostics);
       }
       break;
     case LightType::area:
-      report_once(export_lost, "glTF has no area lights: each becomes a point light at its center",
-                  diagnostics);
+      report_once("export.lost"_code,
+                  "glTF has no area lights: each becomes a point light at its center", diagnostics);
       own = fmt::format(R"(,"width":{},"height":{})", 2 * glm::length(light.half_u),
                         2 * glm::length(light.half_v));
       break;

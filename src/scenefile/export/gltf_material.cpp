@@ -19,7 +19,7 @@ std::string list(const glm::vec3& v) {
 void report_differences(const RenderMaterial& material, const PhongColors& phong,
                         const PbrMaterial& pbr, bool path, Diagnostics& diagnostics) {
   const auto note = [&](std::string_view text) {
-    report_once(export_approximate, text, diagnostics);
+    report_once("export.approximate"_code, text, diagnostics);
   };
   const bool mirror = largest(phong.reflective) > 0;
   if (largest(phong.ambient) > 0 && !path) {
@@ -40,7 +40,7 @@ void report_differences(const RenderMaterial& material, const PhongColors& phong
     note("colors over 1 are clamped to 1");
   }
   if (material.bump_map.used()) {
-    report_once(export_lost, "bump maps are left out", diagnostics);
+    report_once("export.lost"_code, "bump maps are left out", diagnostics);
   }
 }
 

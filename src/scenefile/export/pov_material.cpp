@@ -115,7 +115,9 @@ PovMaterial pov_material(const RenderScene& scene, std::uint32_t index,
 
 void report_differences(const PovMaterial& m, Diagnostics& diagnostics) {
   const RenderMaterial& material = *m.material;
-  const auto note = [&](std::string_view text) { report_once(pov_approximate, text, diagnostics); };
+  const auto note = [&](std::string_view text) {
+    report_once("pov.approximate"_code, text, diagnostics);
+  };
   if (!gray(material.specular) && material.shininess > 0) {
     note("highlights take the strongest channel of a specular color in all channels");
   }
@@ -126,7 +128,7 @@ void report_differences(const PovMaterial& m, Diagnostics& diagnostics) {
     note("transparency dims the color of the surface itself");
   }
   if (m.options.texture && material.bump_map.used()) {
-    report_once(pov_lost, "bump maps are left out", diagnostics);
+    report_once("pov.lost"_code, "bump maps are left out", diagnostics);
   }
 }
 

@@ -88,7 +88,7 @@ class GltfWriter {
       return refuse();
     }
     if (textures_.clipped()) {
-      report_once(export_approximate, "colors over 1 are clamped to 1", diagnostics_);
+      report_once("export.approximate"_code, "colors over 1 are clamped to 1", diagnostics_);
     }
     return assemble();
   }
@@ -96,7 +96,7 @@ class GltfWriter {
  private:
   std::string refuse() {
     diagnostics_.report(
-        export_size_limit, {},
+        "export.size-limit"_code, {},
         fmt::format("with all instances of its templates the scene has more than {} nodes",
                     options_.max_nodes));
     return {};
@@ -156,7 +156,7 @@ class GltfWriter {
     node.place.rotation = glm::normalize(glm::quat_cast(glm::dmat3(c.u, c.v, c.w)));
     add_node(none, node);
     if (c.aperture > 0 && c.focal_length > 0) {
-      report_once(export_lost, "the lens of the camera is left out: everything is in focus",
+      report_once("export.lost"_code, "the lens of the camera is left out: everything is in focus",
                   diagnostics_);
     }
   }
@@ -394,7 +394,7 @@ class GltfWriter {
     const std::uint64_t total =
         12 + 8 + std::uint64_t{json.size()} + (bytes.empty() ? 0 : 8 + bytes.size());
     if (total > 0xffffffffu) {
-      diagnostics_.report(export_size_limit, {},
+      diagnostics_.report("export.size-limit"_code, {},
                           fmt::format("the file would have {} MB, and the limit of GLB is 4,294",
                                       total / 1'000'000));
       return {};

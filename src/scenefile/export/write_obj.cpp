@@ -39,16 +39,17 @@ class ObjWriter {
   ObjScene write() {
     if (count_triangles() > static_cast<double>(options_.max_triangles)) {
       diagnostics_.report(
-          export_size_limit, {},
+          "export.size-limit"_code, {},
           fmt::format("with all instances of its templates the scene has more than {} triangles",
                       options_.max_triangles));
       return {};
     }
-    report_once(export_lost, "OBJ files have no lights and no camera", diagnostics_);
+    report_once("export.lost"_code, "OBJ files have no lights and no camera", diagnostics_);
     files_.obj = fmt::format("mtllib {}.mtl\n", options_.stem);
     objects();
     if (textures_.clipped()) {
-      report_once(export_approximate, "colors over 1 are clamped to 1 in pictures", diagnostics_);
+      report_once("export.approximate"_code, "colors over 1 are clamped to 1 in pictures",
+                  diagnostics_);
     }
     files_.pictures = textures_.files();
     return std::move(files_);
@@ -187,10 +188,11 @@ class ObjWriter {
     }
     files_.mtl += '\n';
     if (mirror && highlight && phong.reflective != phong.specular) {
-      report_once(export_approximate, "mirrors take their color from the highlight", diagnostics_);
+      report_once("export.approximate"_code, "mirrors take their color from the highlight",
+                  diagnostics_);
     }
     if (material.bump_map.used()) {
-      report_once(export_lost, "bump maps are left out", diagnostics_);
+      report_once("export.lost"_code, "bump maps are left out", diagnostics_);
     }
   }
 

@@ -37,7 +37,7 @@ class PovWriter {
     for (std::size_t i = 0; options.texture && i < texture_paths.size(); ++i) {
       if (texture_paths[i].empty()) {
         const FileReference& file = scene.texture_files[i];
-        diagnostics.report(pov_lost, file.location,
+        diagnostics.report("pov.lost"_code, file.location,
                            fmt::format("texture {} is not found", quoted(file.name)));
       }
     }
@@ -165,7 +165,7 @@ class PovWriter {
     return text;
   }
 
-  void note(std::string_view text) { report_once(pov_approximate, text, diagnostics_); }
+  void note(std::string_view text) { report_once("pov.approximate"_code, text, diagnostics_); }
 
   const RenderScene& scene_;
   std::span<const Mesh> meshes_;

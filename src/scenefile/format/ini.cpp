@@ -74,7 +74,7 @@ bool read_value(const Line& line, std::size_t offset, std::string& value,
     const std::size_t place = offset;
     if (c == '\\') {
       if (!read_escape(line.text, offset, value)) {
-        diagnostics.report(config_backslash, line.at(place),
+        diagnostics.report("config.backslash"_code, line.at(place),
                            "a backslash starts an escape, and this is not one; write / between "
                            "folders, or \\\\ for a backslash");
         return false;
@@ -94,7 +94,7 @@ bool read_value(const Line& line, std::size_t offset, std::string& value,
   }
   value.resize(kept);
   if (quoted_part) {
-    diagnostics.report(config_syntax, line.at(quote), "the quote is not closed on its line");
+    diagnostics.report("config.syntax"_code, line.at(quote), "the quote is not closed on its line");
   }
   return !quoted_part;
 }
@@ -105,14 +105,14 @@ void read_section(const Line& line, std::size_t start, std::string& section,
   section =
       trimmed(line.text.substr(start + 1, end == std::string_view::npos ? end : end - start - 1));
   if (end == std::string_view::npos) {
-    diagnostics.report(config_syntax, line.at(start),
+    diagnostics.report("config.syntax"_code, line.at(start),
                        fmt::format("the section {} needs a ] after its name", quoted(section)));
     return;
   }
   const std::string_view rest = trimmed(line.text.substr(end + 1));
   if (!rest.empty() && rest.front() != ';') {
     diagnostics.report(
-        config_syntax, line.at(end + 1),
+        "config.syntax"_code, line.at(end + 1),
         fmt::format("found {} after the section, expected the end of the line", quoted(rest)));
   }
 }
@@ -122,7 +122,7 @@ void read_entry(const Line& line, std::size_t start, const std::string& section,
   const std::size_t equals = line.text.find('=', start);
   if (equals == std::string_view::npos ||
       trimmed(line.text.substr(start, equals - start)).empty()) {
-    diagnostics.report(config_syntax, line.at(start),
+    diagnostics.report("config.syntax"_code, line.at(start),
                        fmt::format("found {}, expected [section], key = value or ; comment",
                                    quoted(trimmed(line.text.substr(start)))));
     return;

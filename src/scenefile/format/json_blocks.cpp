@@ -74,7 +74,7 @@ bool is_object(JsonContext& context, JsonIndex item, std::string_view what) {
     return true;
   }
   context.report(
-      json_wrong_type, item,
+      "json.wrong-type"_code, item,
       fmt::format("{} must be an object, found {}", what, describe_json(context.tape, item)));
   return false;
 }
@@ -91,7 +91,7 @@ void report_unused(JsonContext& context, const JsonFields& fields, std::size_t k
                    std::string_view why) {
   if (fields.has(key)) {
     context.report(
-        json_unused_key, fields.key(key),
+        "json.unused-key"_code, fields.key(key),
         fmt::format("{} has no effect {}", quoted(context.tape.string(fields.key(key))), why));
   }
 }
@@ -176,7 +176,7 @@ void read_direction(const ObjectReader& reader, JsonIndex object, Camera& camera
   const JsonFields& fields = reader.fields;
   if (fields.has(look) && fields.has(focus)) {
     const JsonIndex second = std::max(fields.key(look), fields.key(focus));
-    context.report(json_look_and_focus, second,
+    context.report("json.look-and-focus"_code, second,
                    "cameraData has both \"look\" and \"focus\"; remove one of them");
     reader.unread.insert(Field::look);
   } else if (fields.has(focus)) {
@@ -190,7 +190,7 @@ void read_direction(const ObjectReader& reader, JsonIndex object, Camera& camera
   } else if (fields.has(look)) {
     reader.read(camera_rows, Field::look, camera);
   } else {
-    context.report(json_missing_key, object,
+    context.report("json.missing-key"_code, object,
                    "cameraData must have one of the keys \"look\" and \"focus\"");
     reader.unread.insert(Field::look);
   }
@@ -209,14 +209,14 @@ constexpr std::size_t color = key_of(light_rows, Field::color);
 std::optional<std::size_t> read_kind(JsonContext& context, const JsonFields& fields,
                                      JsonIndex item) {
   if (fields.has(type)) {
-    return read_type(context, fields, "light", light_words, json_unknown_light_type);
+    return read_type(context, fields, "light", light_words, "json.unknown-light-type"_code);
   }
   if (fields.has(color)) {
-    context.report(json_light_default, item,
+    context.report("json.light-default"_code, item,
                    "a light must have the key \"type\"; it counts as a point light");
     return static_cast<std::size_t>(LightType::point);
   }
-  context.report(json_no_light, item,
+  context.report("json.no-light"_code, item,
                  "this is not a light: it has neither \"type\" nor \"color\", and is left out");
   return std::nullopt;
 }
@@ -234,7 +234,7 @@ void report_default(JsonContext& context, const JsonFields& fields, JsonIndex it
                     LightType kind, std::string_view value) {
   const std::size_t key = key_of(light_rows, field);
   if (!fields.has(key)) {
-    context.report(json_light_default, item,
+    context.report("json.light-default"_code, item,
                    fmt::format("a {} light must have the key \"{}\"; {} is used", word_of(kind),
                                names[key], value));
   }
@@ -270,7 +270,7 @@ float read_repeat(JsonContext& context, const JsonFields& fields, std::size_t ke
     return number_value(context, at).value_or(1);
   }
   context.diagnostics.report(
-      json_wrong_type, Severity::warning, context.place(at),
+      "json.wrong-type"_code, Severity::warning, context.place(at),
       fmt::format("{} must be a number, found {}; 1 is used", quoted(context.tape.string(at)),
                   describe_json(context.tape, at + 1)));
   return 1;
@@ -362,7 +362,7 @@ std::optional<Light> read_json_light(JsonContext& context, JsonIndex item, Scene
   light.type = static_cast<LightType>(*type);
   light.location = context.place(item);
   if (!course_json_has(light.type)) {
-    context.report(json_area_light, fields.key(light::type),
+    context.report("json.area-light"_code, fields.key(light::type),
                    "the course's JSON reader does not support area lights and rejects the file");
   }
   light::require_keys(context, fields, item, light.type);
@@ -383,7 +383,7 @@ std::optional<Primitive> read_json_primitive(JsonContext& context, JsonIndex ite
   }
   const JsonFields fields(context, item, primitive::vocabulary);
   const std::optional<std::size_t> type =
-      read_type(context, fields, "primitive", shape_words, json_unknown_primitive_type);
+      read_type(context, fields, "primitive", shape_words, "json.unknown-primitive-type"_code);
   if (!type) {
     return std::nullopt;
   }

@@ -49,13 +49,13 @@ bool convert(JsonContext& context, JsonIndex key, JsonIndex item, float& out) {
   const ParsedNumber number = parse_number(text);
   if (number.error != NumberError::none) {
     context.report(
-        json_number_range, item,
+        "json.number-range"_code, item,
         fmt::format("the number {} of {} is too large", quoted(text), key_name(context, key)));
     return false;
   }
   out = static_cast<float>(number.value);
   if (underflows(text, out)) {
-    context.report(json_number_underflow, item,
+    context.report("json.number-underflow"_code, item,
                    fmt::format("the number {} of {} is too small to be represented; it counts as 0",
                                quoted(text), key_name(context, key)));
   }
@@ -74,7 +74,7 @@ std::string number_in_quotes(const JsonTape& tape, JsonIndex item) {
 void report_no_number(JsonContext& context, JsonIndex place, JsonIndex item,
                       std::string_view message) {
   const std::string meant = number_in_quotes(context.tape, item);
-  context.report(json_wrong_type, place,
+  context.report("json.wrong-type"_code, place,
                  meant.empty() ? std::string(message) : fmt::format("{}; write {}", message, meant),
                  number_correction(context.tape.string(item), meant));
 }
@@ -119,7 +119,7 @@ bool check_numbers(JsonContext& context, JsonIndex key, std::size_t count,
   const std::size_t found = count_elements(tape, value);
   const bool fork = four_dimensional && found == (count == 4 ? 7 : 4);
   context.report(
-      fork ? json_four_dimensional : json_wrong_length, key,
+      fork ? "json.four-dimensional"_code : "json.wrong-length"_code, key,
       fmt::format("{} must be {}, found {} number{}{}", key_name(context, key), expected, found,
                   found == 1 ? "" : "s",
                   fork ? ": this looks like a scene of the 4-D fork, which cannot be read" : ""));
@@ -146,7 +146,7 @@ JsonFields::JsonFields(JsonContext& context, JsonIndex object, const JsonVocabul
   for (JsonIndex key = object + 1; key < tape.end(object); key = tape.end(key + 1)) {
     if (++count > context.limits.attributes) {
       context.report(
-          json_limit, key,
+          "json.limit"_code, key,
           fmt::format("{} has more than {} keys; those from {} on were not read", vocabulary.what,
                       context.limits.attributes, quoted(tape.string(key))));
       break;
@@ -171,7 +171,7 @@ void JsonFields::settle_unknown(JsonIndex key) {
   const std::string_view advice = json_key_advice(vocabulary_.what, word);
   const std::string_view meant = near.empty() ? usual : near;
   context_.report(
-      near.empty() ? json_unknown_key : json_misspelled_key, key,
+      near.empty() ? "json.unknown-key"_code : "json.misspelled-key"_code, key,
       fmt::format("unknown key {} in {}{}{}", quoted(name), vocabulary_.what,
                   near.empty() ? " is ignored" : "",
                   !meant.empty()    ? fmt::format("; did you mean \"{}\"?", meant)
@@ -218,7 +218,7 @@ bool JsonFields::add(JsonIndex key) {
   JsonIndex& slot = keys_[place];
   if (slot != 0) {
     const std::uint32_t first = context_.place(slot).line;
-    context_.report(json_duplicate_key, key,
+    context_.report("json.duplicate-key"_code, key,
                     fmt::format("{} occurs twice in {}, first at line {}; the last one counts",
                                 quoted(name), vocabulary_.what, first));
   }
@@ -231,7 +231,7 @@ bool JsonFields::require(std::size_t key) const {
     return true;
   }
   context_.report(
-      json_missing_key, object_,
+      "json.missing-key"_code, object_,
       fmt::format("{} must have the key \"{}\"", vocabulary_.what, vocabulary_.keys[key]));
   return false;
 }
@@ -258,7 +258,7 @@ std::string describe_json(const JsonTape& tape, JsonIndex value) {
 }
 
 void report_json_type(JsonContext& context, JsonIndex key, std::string_view expected) {
-  context.report(json_wrong_type, key, type_message(context, key, expected));
+  context.report("json.wrong-type"_code, key, type_message(context, key, expected));
 }
 
 std::optional<float> number_value(JsonContext& context, JsonIndex key) {
@@ -277,7 +277,7 @@ std::optional<std::string> text_value(JsonContext& context, JsonIndex key,
     return std::nullopt;
   }
   if (context.tape.raw(key + 1).size() > max_bytes) {
-    context.report(json_limit, key,
+    context.report("json.limit"_code, key,
                    fmt::format("the string of {} is longer than the limit of {} bytes",
                                key_name(context, key), max_bytes));
     return std::nullopt;
@@ -318,7 +318,7 @@ std::optional<glm::mat4> matrix_value(JsonContext& context, JsonIndex key) {
     return count_elements(tape, key + 1) == 4;
   }();
   if (!rows_fit) {
-    context.report(json_wrong_length, key,
+    context.report("json.wrong-length"_code, key,
                    fmt::format("{} must be {}, found {}", key_name(context, key), expected,
                                describe_json(tape, key + 1)));
     return std::nullopt;

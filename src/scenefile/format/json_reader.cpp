@@ -51,7 +51,7 @@ class SceneReader {
 
   Scene read() {
     if (!tape().is_object(0)) {
-      context_.report(json_wrong_type, 0,
+      context_.report("json.wrong-type"_code, 0,
                       "a scene must be an object, found " + describe_json(tape(), 0));
       return {};
     }
@@ -87,7 +87,7 @@ class SceneReader {
 
   void read_root_groups(const JsonFields& fields) {
     if (!fields.has(root::groups)) {
-      context_.report(json_no_groups, 0,
+      context_.report("json.no-groups"_code, 0,
                       "the scene has no key \"groups\", so there is nothing in it");
       return;
     }
@@ -163,7 +163,7 @@ class SceneReader {
     if (tape().is_object(item)) {
       return true;
     }
-    context_.report(json_wrong_type, item,
+    context_.report("json.wrong-type"_code, item,
                     fmt::format("{} (an element of \"groups\" or \"templateGroups\") must be an "
                                 "object, found {}",
                                 what, describe_json(tape(), item)));
@@ -211,7 +211,7 @@ class SceneReader {
       return false;
     }
     if (found->second >= known_templates_ && has_contents(fields)) {
-      context_.report(json_template_order, fields.key(group::name),
+      context_.report("json.template-order"_code, fields.key(group::name),
                       fmt::format("group {} has the name of a template that is declared later; it "
                                   "is read as a separate group",
                                   quoted(name)));
@@ -235,7 +235,7 @@ class SceneReader {
     std::sort(known.begin(), known.end());
     const std::string_view near = nearest_name(name, known);
     context_.report(
-        json_unknown_template, key,
+        "json.unknown-template"_code, key,
         fmt::format("group {} is empty, and no template group has this name{}", quoted(name),
                     near.empty() ? "" : fmt::format("; did you mean {}?", quoted(near))),
         correction(name, near, known));
@@ -252,7 +252,7 @@ class SceneReader {
     }
     if (!ignored.empty()) {
       context_.report(
-          json_instance_keys, first,
+          "json.instance-keys"_code, first,
           fmt::format("group {} is an instance of the template of that name; its {} "
                       "{} ignored",
                       quoted(name), fmt::join(ignored, ", "), ignored.size() == 1 ? "is" : "are"));
@@ -309,7 +309,7 @@ class SceneReader {
     if (fields.has(matrix)) {
       add(matrix, Matrix{matrix_value(context_, fields.key(matrix)).value_or(glm::mat4(1))});
       if (others) {
-        context_.report(json_matrix_with_others, fields.key(matrix),
+        context_.report("json.matrix-with-others"_code, fields.key(matrix),
                         "\"matrix\" acts first, before scale, rotate and translate");
       }
     }
@@ -330,7 +330,7 @@ bool fits(std::string_view text, const Limits& limits, Diagnostics& diagnostics)
     return true;
   }
   diagnostics.report(
-      json_limit, {},
+      "json.limit"_code, {},
       fmt::format("the text has {} bytes, more than the limit of {}", text.size(), most));
   return false;
 }

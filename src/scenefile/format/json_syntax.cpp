@@ -32,7 +32,7 @@ struct Repair {
 };
 
 struct Finding {
-  const Code* code = &json_syntax;
+  const Code* code = &"json.syntax"_code;
   std::size_t offset = 0;
   std::string message;
   Repair repair;
@@ -129,7 +129,7 @@ class Explainer {
     if (error_.fault != JsonFault::too_deep) {
       return false;
     }
-    f.code = &json_limit;
+    f.code = &"json.limit"_code;
     f.message = fmt::format("arrays and objects are nested deeper than the limit of {} levels",
                             limits_.nesting);
     return true;
@@ -141,7 +141,7 @@ class Explainer {
     const std::string_view line = text_.substr(start, text_.find_first_of("\r\n", start) - start);
     for (const std::string_view marker : {"<<<<<<<", "=======", ">>>>>>>", "|||||||"}) {
       if (line.starts_with(marker)) {
-        f.code = &json_conflict_marker;
+        f.code = &"json.conflict-marker"_code;
         f.offset = start;
         f.message = fmt::format(
             "git conflict marker {}: keep one of the two versions and remove "
@@ -157,7 +157,7 @@ class Explainer {
     if (at_ < text_.size()) {
       return false;
     }
-    f.code = &json_truncated;
+    f.code = &"json.truncated"_code;
     if (error_.open.empty()) {
       f.message = error_.fault == JsonFault::empty ? "there is no JSON value in the file"
                                                    : "the file ends in the middle of a value";
@@ -173,7 +173,7 @@ class Explainer {
   }
 
   bool by_string(Finding& f) {
-    f.code = &json_string;
+    f.code = &"json.string"_code;
     switch (error_.fault) {
       case JsonFault::control_character:
         f.message = found() == '\n' || found() == '\r'
@@ -193,12 +193,12 @@ class Explainer {
             "character; write both halves, or the character itself";
         return true;
       case JsonFault::encoding:
-        f.code = &format_encoding;
+        f.code = &"format.encoding"_code;
         f.message = fmt::format("the byte {} is not UTF-8; save the file as UTF-8",
                                 quoted(text_.substr(at_, 1)));
         return true;
       default:
-        f.code = &json_syntax;
+        f.code = &"json.syntax"_code;
         return false;
     }
   }
@@ -208,7 +208,7 @@ class Explainer {
     if (two != "//" && two != "/*" && found() != '#') {
       return false;
     }
-    f.code = &json_comment;
+    f.code = &"json.comment"_code;
     f.message =
         fmt::format("JSON has no comments; remove what follows {}", found() == '#' ? "#" : two);
     const std::size_t end =
@@ -223,7 +223,7 @@ class Explainer {
     const std::size_t previous = before();
     const bool after_comma = previous != std::string_view::npos && text_[previous] == ',';
     if (after_comma && (found() == '}' || found() == ']')) {
-      f.code = &json_trailing_comma;
+      f.code = &"json.trailing-comma"_code;
       f.offset = previous;
       f.message = fmt::format("comma before the closing {}; remove it, or write what should follow",
                               found());
@@ -244,14 +244,14 @@ class Explainer {
   bool by_number(Finding& f) {
     const std::string_view word = word_around();
     if (error_.fault == JsonFault::number_too_large) {
-      f.code = &json_number_range;
+      f.code = &"json.number-range"_code;
       f.message = fmt::format("the number {} is too large", quoted(word));
       return true;
     }
     if (!is_about_number(word)) {
       return false;
     }
-    f.code = &json_number;
+    f.code = &"json.number"_code;
     f.offset = static_cast<std::size_t>(word.data() - text_.data());
     if (is_special(word)) {
       f.message = fmt::format("JSON has no {}; write a number", quoted(word));
@@ -302,7 +302,7 @@ class Explainer {
     }
     const std::size_t before = text_.find_last_not_of("+-.0123456789", comma - 1) + 1;
     const std::string_view number = text_.substr(before, at_ + word.size() - before);
-    f.code = &json_number;
+    f.code = &"json.number"_code;
     f.offset = before;
     explain_number(number, f);
     f.repair = {before, fmt::format("{:<{}}", 0, number.size()), true};
@@ -389,7 +389,7 @@ class Explainer {
     if (found() == '\0') {
       f.message = "a NUL byte; the file is damaged";
     } else if (error_.fault == JsonFault::after_end) {
-      f.code = &json_after_end;
+      f.code = &"json.after-end"_code;
       f.message = fmt::format("{} follows the end of the scene", found_text());
     } else if (error_.fault == JsonFault::colon && found() == '=') {
       f.message = "a key is followed by a colon, not by =";
@@ -518,7 +518,7 @@ class NumberRepair {
     }
     if (before != after) {
       const std::string_view part = text_.substr(before ? at - 1 : at, 2);
-      diagnostics_.add({&json_number,
+      diagnostics_.add({&"json.number"_code,
                         Severity::warning,
                         places_.at(at),
                         {},

@@ -70,7 +70,7 @@ class RootCheck : public XmlHandler {
 
   bool start(const XmlTag& tag) override {
     if (!seen_ && !equal_ignoring_case(tag.name, "scenefile")) {
-      diagnostics_.report(xml_root_element, tag.location,
+      diagnostics_.report("xml.root-element"_code, tag.location,
                           fmt::format("the file is not a scene: expected <scenefile>, found {}",
                                       element_text(tag.name)));
       return false;
@@ -329,7 +329,7 @@ std::optional<std::string> lay_out_json(std::string_view text, const Limits& lim
     return std::nullopt;
   }
   if (!tape.is_object(0)) {
-    diagnostics.report(json_wrong_type, TextPlaces(text).at(tape.items[0].offset),
+    diagnostics.report("json.wrong-type"_code, TextPlaces(text).at(tape.items[0].offset),
                        "a scene must be an object, found " + describe_json(tape, 0));
     return std::nullopt;
   }

@@ -100,7 +100,7 @@ struct ConfigReader {
   Diagnostics& diagnostics;
 
   void fail(const IniEntry& entry, const Key& key, std::string_view expected) const {
-    diagnostics.report(config_value, entry.value_place,
+    diagnostics.report("config.value"_code, entry.value_place,
                        fmt::format("found {} for {}, expected {}", quoted(entry.value),
                                    shown(key.name), expected));
   }
@@ -140,7 +140,7 @@ struct ConfigReader {
   void set(const IniEntry& entry, const Key& key, const Count& field) const {
     int number = 1;
     if (read_number(entry, key, 0, field.most, number) && number == 0) {
-      diagnostics.report(config_zero, entry.value_place,
+      diagnostics.report("config.zero"_code, entry.value_place,
                          fmt::format("0 for {} counts as 1", shown(key.name)));
     }
     config.*field.number = std::max(number, 1);
@@ -171,7 +171,7 @@ void report_unknown(const IniEntry& entry, const std::string& name, Diagnostics&
   }
   const std::string_view nearest = nearest_name(name, known);
   diagnostics.report(
-      config_unknown_key, entry.key_place,
+      "config.unknown-key"_code, entry.key_place,
       fmt::format("unknown key {} has no effect{}", shown(name),
                   nearest.empty() ? "" : fmt::format("; did you mean {}?", shown(nearest))),
       correction(name, nearest, known));
@@ -219,13 +219,13 @@ void report_missing(const Key& key, bool damaged, Diagnostics& diagnostics) {
     return;
   }
   if (key.absence == Absence::warning) {
-    diagnostics.report(config_missing_key, Severity::warning, {},
+    diagnostics.report("config.missing-key"_code, Severity::warning, {},
                        fmt::format("{}; it counts as {}", text,
                                    std::holds_alternative<Switch>(key.field)  ? "false"
                                    : std::holds_alternative<Count>(key.field) ? "1"
                                                                               : "0"));
   } else if (key.absence == Absence::error) {
-    diagnostics.report(config_missing_key, {}, text);
+    diagnostics.report("config.missing-key"_code, {}, text);
   }
 }
 
@@ -237,7 +237,7 @@ CourseConfig read_config(std::string_view text, const Limits& limits, Diagnostic
   Diagnostics found;
   std::vector<IniEntry> read = read_ini(text, found);
   if (std::none_of(read.begin(), read.end(), is_of_config)) {
-    diagnostics.report(config_missing_key, {},
+    diagnostics.report("config.missing-key"_code, {},
                        "not a configuration: it has no key in a section [IO], [Canvas], [Feature] "
                        "or [Settings]");
     return config;
@@ -258,19 +258,19 @@ CourseConfig read_config(std::string_view text, const Limits& limits, Diagnostic
     if (key->kind.value_or(config.kind) != config.kind) {
       const bool path = config.kind == ConfigKind::path;
       diagnostics.report(
-          config_unknown_key, entry.key_place,
+          "config.unknown-key"_code, entry.key_place,
           fmt::format("{} has no effect: it belongs to the {} tracer, and this is a "
                       "configuration of the {} tracer",
                       shown(key->name), path ? "ray" : "path", path ? "path" : "ray"));
       continue;
     }
     if (key->name != known.name) {
-      diagnostics.report(config_key_case, entry.key_place,
+      diagnostics.report("config.key-case"_code, entry.key_place,
                          fmt::format("{} is read as {}", shown(known.name), shown(key->name)));
     }
     bool& seen = given[static_cast<std::size_t>(key - keys.data())];
     if (seen) {
-      diagnostics.report(config_duplicate_key, entry.key_place,
+      diagnostics.report("config.duplicate-key"_code, entry.key_place,
                          fmt::format("{} is given again; this one counts", shown(key->name)));
     }
     seen = true;

@@ -35,8 +35,8 @@ Scene read_scene(std::string_view text, const ReadOptions& options, Diagnostics&
   const std::size_t before = diagnostics.list().size();
   Scene scene = read(text, options, diagnostics);
   // Without a root nothing is drawn; it is enough to report that once.
-  scene.incomplete =
-      diagnostics.count(Severity::error) != errors || has_since(before, diagnostics, xml_no_root);
+  scene.incomplete = diagnostics.count(Severity::error) != errors ||
+                     has_since(before, diagnostics, "xml.no-root"_code);
   return scene;
 }
 

@@ -106,7 +106,8 @@ bool may_be_scene(std::string_view bytes) {
     return true;
   }
   const Code* const code = found.list().back().code;
-  return code != &xml_root_element && code != &json_missing_key && code != &json_wrong_type;
+  return code != &"xml.root-element"_code && code != &"json.missing-key"_code &&
+         code != &"json.wrong-type"_code;
 }
 
 }  // namespace scenefile

@@ -25,7 +25,7 @@ constexpr std::array<char16_t, 32> windows_1252 = {
     0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0,      0x017E, 0x0178};
 
 void report_encoding(Diagnostics& diagnostics, std::string message) {
-  diagnostics.report(format_encoding, {1, 1}, std::move(message));
+  diagnostics.report("format.encoding"_code, {1, 1}, std::move(message));
 }
 
 bool is_low_surrogate(char32_t c) {
@@ -115,7 +115,7 @@ std::optional<std::string_view> decode_declared(std::string_view bytes, const st
     return std::nullopt;
   }
   if (is_ascii(bytes)) {
-    diagnostics.report(format_encoding_assumed, {1, 1},
+    diagnostics.report("format.encoding-assumed"_code, {1, 1},
                        fmt::format("the encoding {} is not known; the file is plain ASCII, so it "
                                    "was read as that",
                                    quoted(name)));
@@ -245,27 +245,27 @@ void report_other(std::string_view text, const Diagnostics& found, Diagnostics& 
     diagnostics.report(code, {}, std::move(message));
   };
   if (first == std::string_view::npos) {
-    return report(format_empty,
+    return report("format.empty"_code,
                   text.empty() ? "the file is empty" : "the file contains only white space");
   }
   const std::string_view content = text.substr(first);
   if (const std::string_view other = other_file(content); !other.empty()) {
-    return report(format_unknown, fmt::format("the file is {}", other));
+    return report("format.unknown"_code, fmt::format("the file is {}", other));
   }
   if (found.has_errors()) {
-    return report(format_encoding, found.list().back().message);
+    return report("format.encoding"_code, found.list().back().message);
   }
   const char start = first_character(content);
   if (start == '<') {
-    return report(xml_root_element,
+    return report("xml.root-element"_code,
                   "the file is XML but not a scene: a scene is one element <scenefile>");
   }
   if (start == '{' || start == '[') {
-    return report(start == '{' ? json_missing_key : json_wrong_type,
+    return report(start == '{' ? "json.missing-key"_code : "json.wrong-type"_code,
                   "the file is JSON but not a scene: a scene is one object with the keys "
                   "\"globalData\", \"cameraData\" and \"groups\"");
   }
-  report(format_unknown,
+  report("format.unknown"_code,
          "not a scene file: a scene is XML with the element <scenefile>, or a JSON object");
 }
 
@@ -275,7 +275,7 @@ std::optional<SceneFormat> syntax_of(std::string_view text, Diagnostics& diagnos
   const std::size_t first = text.find_first_not_of(blanks);
   const std::string_view content = text.substr(first);
   if (const std::string_view other = other_file(content); !other.empty()) {
-    diagnostics.report(format_unknown, after_blanks(text, first),
+    diagnostics.report("format.unknown"_code, after_blanks(text, first),
                        fmt::format("the file is {}", other));
     return std::nullopt;
   }
@@ -290,12 +290,12 @@ std::optional<SceneFormat> syntax_of(std::string_view text, Diagnostics& diagnos
       break;
   }
   if (content[0] == '"') {
-    diagnostics.report(format_unknown, after_blanks(text, first),
+    diagnostics.report("format.unknown"_code, after_blanks(text, first),
                        "the file starts with a quotation mark; a JSON scene is an object, so { is "
                        "missing in front of it");
     return std::nullopt;
   }
-  diagnostics.report(format_unknown, after_blanks(text, first),
+  diagnostics.report("format.unknown"_code, after_blanks(text, first),
                      fmt::format("the file starts with {}; remove what is in front of the scene, "
                                  "which starts with < (XML) or {{ (JSON)",
                                  quoted(content.substr(0, 40), 10)));

@@ -141,7 +141,7 @@ void drop_empty_groups(Scene& scene, std::vector<bool> lit, Diagnostics& diagnos
                       node.instance_of.empty();
   }
   if (dropped != 0) {
-    diagnostics.report(write_empty_group, first,
+    diagnostics.report("write.empty-group"_code, first,
                        fmt::format("{} empty group{} left out, the first one here", dropped,
                                    dropped == 1 ? " is" : "s are"));
   }

@@ -46,7 +46,7 @@ class JsonForm {
 
   Scene make() {
     if (!scene_.camera) {
-      diagnostics_.report(write_default_camera, {},
+      diagnostics_.report("write.default-camera"_code, {},
                           "the scene has no camera; the default is written");
       scene_.camera.emplace();
     }
@@ -63,7 +63,7 @@ class JsonForm {
     }
     if (splits_ != 0) {
       diagnostics_.report(
-          write_transforms_nested, {},
+          "write.transforms-nested"_code, {},
           fmt::format("the transforms of {} group{} have an order that needs nested groups in JSON",
                       splits_, splits_ == 1 ? "" : "s"));
     }
@@ -82,7 +82,7 @@ class JsonForm {
         light.id.reset();
         clear_unused(light, false);
         if (!course_json_has(light.type)) {
-          diagnostics_.report(write_area_light, light.location,
+          diagnostics_.report("write.area-light"_code, light.location,
                               "the course's JSON reader does not support area lights");
         }
       }
@@ -94,7 +94,7 @@ class JsonForm {
       }
     }
     if (ids != 0) {
-      diagnostics_.report(write_light_id, {},
+      diagnostics_.report("write.light-id"_code, {},
                           fmt::format("the id{} of {} light{} {} left out", ids == 1 ? "" : "s",
                                       ids, ids == 1 ? "" : "s", ids == 1 ? "is" : "are"));
     }
@@ -174,7 +174,7 @@ class JsonForm {
         continue;
       }
       std::string free = names.make_free(node.name);
-      diagnostics_.report(write_renamed, node.location,
+      diagnostics_.report("write.renamed"_code, node.location,
                           fmt::format("the group {} has the name of a template; it is called {}",
                                       quoted(node.name), quoted(free)));
       node.name = std::move(free);
@@ -233,7 +233,7 @@ class JsonPrinter {
   void text(std::string_view key, std::string_view value, Location place) {
     begin(key);
     if (!append_json(out_, value)) {
-      diagnostics_.report(write_character, place,
+      diagnostics_.report("write.character"_code, place,
                           fmt::format("{} contains bytes that are not UTF-8", quoted(value)));
     }
   }

@@ -107,7 +107,7 @@ Limits listing_limits() {
 
 void report_nesting(const Limits& limits, Diagnostics& diagnostics) {
   diagnostics.report(
-      write_nesting_limit, {},
+      "write.nesting-limit"_code, {},
       fmt::format("the file would be nested deeper than the limit of {} levels", limits.nesting));
 }
 

@@ -65,7 +65,7 @@ class WorldCopies {
   std::vector<Light> make() {
     world_lights(scene_, [this](const WorldLight& at) { return add(at); });
     if (moved_ != 0) {
-      diagnostics_.report(write_light_moved, first_moved_,
+      diagnostics_.report("write.light-moved"_code, first_moved_,
                           fmt::format("{} light{} moved from groups to the top of the file", moved_,
                                       moved_ == 1 ? " is" : "s are"));
     }
@@ -78,7 +78,7 @@ class WorldCopies {
     const Light& light = scene_.nodes[at.node].lights[at.index];
     if (lights_.size() == limits_.lights) {
       diagnostics_.report(
-          write_light_limit, light.location,
+          "write.light-limit"_code, light.location,
           fmt::format("the scene has more lights than the limit of {}", limits_.lights));
       return false;
     }
@@ -90,7 +90,7 @@ class WorldCopies {
     const std::optional<RenderLight> ready = ready_light(light, at.world_from_node);
     if (!ready || !is_finite(*ready)) {
       diagnostics_.report(
-          write_light_dark, light.location,
+          "write.light-dark"_code, light.location,
           fmt::format("the {} light lights nothing and is left out", word_of(light.type)));
       return true;
     }
@@ -128,7 +128,7 @@ class WorldCopies {
     result.height = static_cast<float>(2 * glm::length(glm::dvec3(wanted.half_v)));
     if (!same_sides()) {
       diagnostics_.report(
-          write_light_turned, light.location,
+          "write.light-turned"_code, light.location,
           "the area light is rotated or sheared by its group in a way that XML cannot express");
     }
   }
@@ -151,7 +151,7 @@ class XmlForm {
   Scene make() {
     if (!scene_.name.empty() && scene_.name != "root") {
       diagnostics_.report(
-          write_scene_name, {},
+          "write.scene-name"_code, {},
           fmt::format("the name of the scene, {}, is left out", quoted(scene_.name)));
     }
     scene_.name.clear();
@@ -181,7 +181,7 @@ class XmlForm {
       clear_unused(light, true);
       if (!light.name.empty()) {
         diagnostics_.report(
-            write_light_name, light.location,
+            "write.light-name"_code, light.location,
             fmt::format("the name {} of the light is left out", quoted(light.name)));
         light.name.clear();
       }
@@ -204,7 +204,7 @@ class XmlForm {
       taken.insert(*light.id);
     }
     if (without != 0) {
-      diagnostics_.report(write_light_id, {},
+      diagnostics_.report("write.light-id"_code, {},
                           fmt::format("{} light{} got an id", without, without == 1 ? "" : "s"));
     }
   }
@@ -259,7 +259,7 @@ class XmlForm {
       }
       if (affine != matrix->m()) {
         transform.map = Matrix(affine);
-        diagnostics_.report(write_matrix_row, transform.location,
+        diagnostics_.report("write.matrix-row"_code, transform.location,
                             "the last row of the matrix is written as 0 0 0 1");
       }
     }
@@ -280,7 +280,7 @@ class XmlForm {
       }
       std::string free = names.make_free(name);
       diagnostics_.report(
-          write_renamed, scene_.nodes[id].location,
+          "write.renamed"_code, scene_.nodes[id].location,
           fmt::format("the name {} is taken; the group is called {}", quoted(name), quoted(free)));
       name = std::move(free);
     }
@@ -296,7 +296,7 @@ class XmlForm {
     }
     const std::string free = names.make_free("root");
     diagnostics_.report(
-        write_renamed, scene_.nodes[*root].location,
+        "write.renamed"_code, scene_.nodes[*root].location,
         fmt::format("root is the scene itself in XML; the template is called {}", quoted(free)));
     scene_.nodes[*root].name = free;
     for (Node& node : scene_.nodes) {
@@ -333,7 +333,7 @@ class XmlPrinter {
     out_ += fmt::format(" {}=\"", name);
     if (!append_xml(out_, value)) {
       diagnostics_.report(
-          write_character, place,
+          "write.character"_code, place,
           fmt::format("{} contains a character that XML cannot represent", quoted(value)));
     }
     out_ += '"';

@@ -40,7 +40,7 @@ Location place_of(const CameraDraft& draft, Field field) {
 void report_default(const XmlContext& context, const CameraDraft& draft, std::string_view part,
                     std::string_view value) {
   context.diagnostics.report(
-      xml_camera_default, draft.camera.location,
+      "xml.camera-default"_code, draft.camera.location,
       fmt::format("<cameradata> has no {}; the default {} is used", part, value));
 }
 
@@ -71,14 +71,14 @@ void resolve_focus(const XmlContext& context, CameraDraft& draft) {
     const bool focus_last =
         focus.line > look.line || (focus.line == look.line && focus.column > look.column);
     context.diagnostics.report(
-        xml_look_and_focus, focus_last ? focus : look,
+        "xml.look-and-focus"_code, focus_last ? focus : look,
         fmt::format("<cameradata> has both <look> and <focus>; the other one is at line {}",
                     (focus_last ? look : focus).line));
   } else if (draft.focus && !draft.seen.unread(index_of(camera_rows, Field::position))) {
     const glm::vec3 direction = direction_to(*draft.focus, draft.camera.position);
     if (direction == glm::vec3(0)) {
       context.diagnostics.report(
-          xml_focus_at_position, focus,
+          "xml.focus-at-position"_code, focus,
           "<focus> is the position of the camera itself, so there is no direction to look in");
       return;
     }
@@ -94,7 +94,7 @@ void report_aspect_ratio(const XmlContext& context, const XmlTag& tag) {
   const ParsedNumber number = parse_number(given != nullptr ? given->value : "1");
   const bool is_ratio = number.error == NumberError::none && number.value > 0;
   context.diagnostics.report(
-      xml_ignored_element, is_ratio ? Severity::note : Severity::warning, tag.location,
+      "xml.ignored-element"_code, is_ratio ? Severity::note : Severity::warning, tag.location,
       fmt::format("<aspectratio>{} has no effect: the picture's size decides",
                   is_ratio ? "" : fmt::format(" {} is not a ratio, and", quoted(given->value))));
 }
@@ -139,7 +139,7 @@ void finish_camera(const XmlContext& context, CameraDraft& draft, Scene& scene) 
   report_defaults(context, draft);
   resolve_focus(context, draft);
   if (scene.camera) {
-    context.diagnostics.report(xml_second_camera, draft.camera.location,
+    context.diagnostics.report("xml.second-camera"_code, draft.camera.location,
                                fmt::format("a second <cameradata>, after line {}; this one counts",
                                            scene.camera->location.line));
   }
@@ -167,7 +167,7 @@ void read_type(const XmlContext& context, Location place, std::string_view word,
     draft.light.type = static_cast<LightType>(i);
     if (word != light_words[i]) {
       context.diagnostics.report(
-          xml_name_case, place,
+          "xml.name-case"_code, place,
           fmt::format("light type {} was read as {}", quoted(word), light_words[i]),
           correction(word, light_words[i]));
     }
@@ -180,7 +180,7 @@ void read_type(const XmlContext& context, Location place, std::string_view word,
   draft.light.type =
       draft.type_known ? static_cast<LightType>(meant - light_words.begin()) : LightType::point;
   context.diagnostics.report(
-      xml_light_type, place,
+      "xml.light-type"_code, place,
       fmt::format(
           "unknown light type {}{}", quoted(word),
           near.empty() ? "; the types are point, directional, spot and area" : did_you_mean(near)),
@@ -195,7 +195,7 @@ void read_id(const XmlContext& context, Location place, std::string_view word, L
     return;
   }
   context.diagnostics.report(
-      xml_light_id, place,
+      "xml.light-id"_code, place,
       fmt::format("the light id {} is not a whole number from 0 to 7; it has no effect",
                   quoted(word)));
 }
@@ -206,7 +206,7 @@ void report_unused(const XmlContext& context, const LightDraft& draft) {
     const ValueRow<Light>& row = light_rows[i];
     if (draft.seen.has(i) && !row.used_by_type(draft.light.type) && !row.idle_in_xml) {
       context.diagnostics.report(
-          xml_light_unused, draft.seen.place(i),
+          "xml.light-unused"_code, draft.seen.place(i),
           fmt::format("<{}> has no effect on a {} light", row.xml, word_of(draft.light.type)));
     }
   }
@@ -216,7 +216,7 @@ void report_defaults(const XmlContext& context, const LightDraft& draft) {
   const LightType type = draft.light.type;
   const auto missing = [&](Field field, std::string_view value) {
     if (!has(draft, field)) {
-      context.diagnostics.report(xml_light_default, draft.light.location,
+      context.diagnostics.report("xml.light-default"_code, draft.light.location,
                                  fmt::format("the {} light has no <{}>; the default {} is used",
                                              word_of(type), row_of(light_rows, field).xml, value));
     }
@@ -226,7 +226,7 @@ void report_defaults(const XmlContext& context, const LightDraft& draft) {
   }
   missing(Field::color, "1 1 1");
   if (!has(draft, Field::id) && !draft.light.id) {
-    context.diagnostics.report(xml_light_id, draft.light.location,
+    context.diagnostics.report("xml.light-id"_code, draft.light.location,
                                "the light has no <id>; give each light a number from 0 to 7");
   }
   if (light_uses(type, Field::penumbra_deg) && has(draft, Field::angle_deg)) {
@@ -247,7 +247,7 @@ LightDraft begin_light(const XmlContext& context, const XmlTag& tag) {
       report_block_attribute(context, tag, attribute, known);
       continue;
     }
-    context.report(xml_alias_attribute, attribute,
+    context.report("xml.alias-attribute"_code, attribute,
                    fmt::format("attribute {0} of <lightdata> was read as <{0}>", attribute.name));
     const Location place = context.place(attribute);
     if (is_type) {
@@ -277,7 +277,8 @@ bool read_light_part(const XmlContext& context, const XmlTag& tag, LightDraft& d
       draft.type_known = false;
     }
   } else if (!row.has_member()) {
-    context.report(xml_ignored_element, tag, fmt::format("<{}> of a light has no effect", row.xml));
+    context.report("xml.ignored-element"_code, tag,
+                   fmt::format("<{}> of a light has no effect", row.xml));
   } else {
     read_value(context, tag, light_rows, *field, draft.seen, draft.light);
   }
@@ -331,13 +332,13 @@ bool is_blend_name(std::string_view name) {
 void read_bare_blend(const Writer& to, const XmlAttribute& attribute, bool is_texture) {
   const std::string name = escaped(attribute.name, 40);
   if (!is_texture) {
-    to.context.report(xml_texture_blend, attribute,
+    to.context.report("xml.texture-blend"_code, attribute,
                       fmt::format("attribute {} of <bumpmap> has no effect: a bump map is not "
                                   "blended",
                                   name));
     return;
   }
-  to.context.report(xml_texture_blend, attribute,
+  to.context.report("xml.texture-blend"_code, attribute,
                     fmt::format("attribute {} of <texture> was read as <blend>", name));
   float blend = 0;
   const bool known = read_number(to.context, to.tag, attribute, blend);
@@ -351,7 +352,7 @@ bool name_fits(const XmlContext& context, const XmlTag& tag, const XmlAttribute&
   if (attribute.value.size() <= context.options.limits.name_bytes) {
     return true;
   }
-  context.report(xml_length_limit, attribute,
+  context.report("xml.length-limit"_code, attribute,
                  fmt::format("the file name of {} is longer than the limit of {} bytes",
                              element_text(tag.name), context.options.limits.name_bytes));
   return false;
@@ -395,11 +396,11 @@ const XmlAttribute* find_image_file(const XmlContext& context, const XmlTag& tag
     found = found == nullptr && other ? &attribute : found;
   }
   if (found == nullptr) {
-    context.report(xml_missing_attribute, tag,
+    context.report("xml.missing-attribute"_code, tag,
                    fmt::format("{} is missing the attribute file", element_text(tag.name)));
     return nullptr;
   }
-  context.report(xml_alias_attribute, *found,
+  context.report("xml.alias-attribute"_code, *found,
                  fmt::format("attribute {} of {} was read as file", escaped(found->name, 40),
                              element_text(tag.name)),
                  correction(found->name, "file"));
@@ -423,7 +424,7 @@ bool read_primitive_part(const XmlContext& context, const XmlTag& tag, Primitive
   } else if (row.has_member()) {
     to.value(*field);
   } else {
-    context.report(xml_ignored_element, tag,
+    context.report("xml.ignored-element"_code, tag,
                    fmt::format("<{}> has no effect: objects do not shine", row.xml));
   }
   return true;
@@ -457,7 +458,7 @@ void report_case(const XmlContext& context, const XmlAttribute& attribute,
                  std::string_view canonical) {
   if (attribute.value != canonical) {
     context.report(
-        xml_name_case, attribute,
+        "xml.name-case"_code, attribute,
         fmt::format("{} {} was read as {}", attribute.name, quoted(attribute.value), canonical),
         correction(attribute.value, canonical));
   }
@@ -479,12 +480,12 @@ std::optional<ObjectType> read_type(const XmlContext& context, const XmlAttribut
             ? did_you_mean(usual)
             : fmt::format("; write type=\"primitive\" name=\"{}\"", shape_words[shape]);
     context.report(
-        xml_unknown_object_type, attribute,
+        "xml.unknown-object-type"_code, attribute,
         fmt::format("object type {} is not part of the format, so the object was ignored{}", type,
                     hint),
         correction(attribute.value, shape == shape_words.size() ? usual : std::string_view()));
   } else {
-    context.report(xml_object_type, attribute,
+    context.report("xml.object-type"_code, attribute,
                    fmt::format("unknown object type {}{}", type, did_you_mean(near)),
                    correction(attribute.value, near, type_names));
     return static_cast<ObjectType>(index_of(type_names, near));
@@ -512,7 +513,7 @@ const XmlAttribute* find_in_any_case(const XmlContext& context, const XmlTag& ta
   }
   for (const XmlAttribute& attribute : tag.attributes) {
     if (equal_ignoring_case(attribute.name, name)) {
-      context.report(xml_name_case, attribute,
+      context.report("xml.name-case"_code, attribute,
                      fmt::format("attribute {} of <object> was read as {}", attribute.name, name),
                      correction(attribute.name, name));
       return &attribute;
@@ -581,7 +582,7 @@ void settle_others(const XmlContext& context, const XmlTag& tag, Found& found) {
     if (near.empty()) {
       report_meant(context, tag, *attribute, meant);
     } else {
-      context.report(xml_misspelled_attribute, *attribute,
+      context.report("xml.misspelled-attribute"_code, *attribute,
                      fmt::format("unknown attribute {} of <object>{}", escaped(attribute->name, 40),
                                  did_you_mean(near)),
                      correction(attribute->name, near, missing_names(found)));
@@ -593,7 +594,7 @@ void settle_others(const XmlContext& context, const XmlTag& tag, Found& found) {
 // Moves the file of a mesh to `filename`, under whichever name it was given.
 void settle_mesh_file(const XmlContext& context, Found& found) {
   if (found.filename != nullptr && found.meshfile != nullptr) {
-    context.report(xml_mesh_files, *found.meshfile,
+    context.report("xml.mesh-files"_code, *found.meshfile,
                    "the mesh has both filename and meshfile; filename counts");
   }
   if (found.filename == nullptr) {
@@ -603,7 +604,7 @@ void settle_mesh_file(const XmlContext& context, Found& found) {
       found.name != nullptr && found.type != nullptr) {
     found.filename = found.others.front();
     found.others.clear();
-    context.report(xml_alias_attribute, *found.filename,
+    context.report("xml.alias-attribute"_code, *found.filename,
                    fmt::format("attribute {} of <object> was read as filename",
                                escaped(found.filename->name, 40)),
                    correction(found.filename->name, "filename"));
@@ -615,7 +616,7 @@ bool name_fits(const XmlContext& context, const XmlAttribute* attribute) {
   if (attribute == nullptr || attribute->value.size() <= limit) {
     return true;
   }
-  context.report(xml_length_limit, *attribute,
+  context.report("xml.length-limit"_code, *attribute,
                  fmt::format("attribute {} of <object> is longer than the limit of {} bytes",
                              escaped(attribute->name, 40), limit));
   return false;
@@ -628,7 +629,7 @@ std::optional<ObjectTag> read_object_tag(const XmlContext& context, const XmlTag
   settle_mesh_file(context, found);
   settle_others(context, tag, found);
   if (found.type == nullptr) {
-    context.report(xml_missing_attribute, tag,
+    context.report("xml.missing-attribute"_code, tag,
                    "<object> is missing the attribute type: tree, master or primitive");
     return std::nullopt;
   }
@@ -654,13 +655,13 @@ std::optional<ObjectTag> read_object_tag(const XmlContext& context, const XmlTag
 std::optional<Shape> read_shape(const XmlContext& context, const XmlTag& tag,
                                 const ObjectTag& object) {
   if (!object.has_name) {
-    context.report(xml_missing_attribute, tag,
+    context.report("xml.missing-attribute"_code, tag,
                    "<object type=\"primitive\"> is missing the attribute name, the shape");
     return std::nullopt;
   }
   if (object.name.find_first_not_of(" \t\r\n") == std::string::npos) {
     context.diagnostics.report(
-        xml_missing_attribute, object.name_place,
+        "xml.missing-attribute"_code, object.name_place,
         fmt::format("the attribute name of the primitive is empty; it must say the shape: {}",
                     fmt::join(shape_words, ", ")));
     return std::nullopt;
@@ -672,32 +673,32 @@ std::optional<Shape> read_shape(const XmlContext& context, const XmlTag& tag,
     if (near.empty()) {
       const std::string_view usual = translated_name(object.name, shape_words);
       context.diagnostics.report(
-          xml_unknown_shape, object.name_place,
+          "xml.unknown-shape"_code, object.name_place,
           fmt::format("shape {} is not part of the format ({}); it is not drawn{}", shape,
                       fmt::join(shape_words, ", "), did_you_mean(usual)),
           correction(object.name, usual));
       return std::nullopt;
     }
-    context.diagnostics.report(xml_misspelled_shape, object.name_place,
+    context.diagnostics.report("xml.misspelled-shape"_code, object.name_place,
                                fmt::format("unknown shape {}{}", shape, did_you_mean(near)),
                                correction(object.name, near, shape_words));
     i = index_of(shape_words, near);
   } else if (object.name != shape_words[i]) {
     context.diagnostics.report(
-        xml_name_case, object.name_place,
+        "xml.name-case"_code, object.name_place,
         fmt::format("name {} was read as {}", quoted(object.name), shape_words[i]),
         correction(object.name, shape_words[i]));
   }
   const auto shape = static_cast<Shape>(i);
   if (shape == Shape::mesh && object.filename.empty()) {
-    context.report(xml_missing_attribute, tag,
+    context.report("xml.missing-attribute"_code, tag,
                    object.has_filename ? "the attribute filename of the mesh is empty"
                                        : "the mesh is missing the attribute filename");
     return std::nullopt;
   }
   if (shape != Shape::mesh && !object.filename.empty()) {
     context.diagnostics.report(
-        xml_unknown_attribute, object.filename_place,
+        "xml.unknown-attribute"_code, object.filename_place,
         fmt::format("the file name has no effect: a {} is not a mesh", shape_words[i]));
   }
   return shape;
@@ -729,7 +730,7 @@ void make_affine(const XmlContext& context, const MatrixDraft& draft, glm::mat4&
   }
   const bool only_w = glm::vec3(last) == glm::vec3(0);
   const auto report = [&](Severity severity, std::string_view what) {
-    context.diagnostics.report(xml_matrix_not_affine, severity, draft.last_row,
+    context.diagnostics.report("xml.matrix-not-affine"_code, severity, draft.last_row,
                                fmt::format("the last row of the matrix is {} {} {} {}; {}", last.x,
                                            last.y, last.z, last.w, what));
   };
@@ -770,7 +771,7 @@ std::optional<Transform> read_rotate(const XmlContext& context, const XmlTag& ta
   const Parts& parts = *found;
   const int axis_parts = (parts[0] != nullptr) + (parts[1] != nullptr) + (parts[2] != nullptr);
   if (axis_parts == 0 && parts[3] != nullptr) {
-    context.report(xml_rotate_axis, tag,
+    context.report("xml.rotate-axis"_code, tag,
                    "<rotate> has no axis, so it has no effect; write its axis as x, y and z");
     return std::nullopt;
   }
@@ -779,7 +780,7 @@ std::optional<Transform> read_rotate(const XmlContext& context, const XmlTag& ta
     return std::nullopt;
   }
   if (parts[3] == nullptr) {
-    context.report(xml_rotate_angle, tag,
+    context.report("xml.rotate-angle"_code, tag,
                    "<rotate> has no angle, so it has no effect; write its degrees as angle");
   }
   glm::vec4 numbers;
@@ -793,7 +794,7 @@ void read_matrix_child(const XmlContext& context, const XmlTag& tag, MatrixDraft
   if (draft.count >= 4) {
     draft.valid = false;
     context.report(
-        xml_matrix_rows, tag,
+        "xml.matrix-rows"_code, tag,
         fmt::format("{} is one row too many: a matrix has four", element_text(tag.name)));
     return;
   }
@@ -806,7 +807,7 @@ void read_matrix_child(const XmlContext& context, const XmlTag& tag, MatrixDraft
 std::optional<Transform> finish_matrix(const XmlContext& context, const MatrixDraft& draft) {
   if (draft.count < 4) {
     context.diagnostics.report(
-        xml_matrix_rows, draft.location,
+        "xml.matrix-rows"_code, draft.location,
         fmt::format("the matrix has {} rows instead of four, each written <row a=\"1\" "
                     "b=\"0\" c=\"0\" d=\"0\"/>",
                     draft.count));

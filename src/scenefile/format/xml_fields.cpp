@@ -92,7 +92,7 @@ void report_unknown_element(const XmlContext& context, const XmlTag& tag, std::s
   if (is_known(tag.name)) {
     const std::string_view usual = translated(tag.name, names);
     const std::string meant = did_you_mean(usual, "<>");
-    context.report(xml_misplaced_element, tag,
+    context.report("xml.misplaced-element"_code, tag,
                    fmt::format("{} does not belong in {}; it was ignored{}", element_text(tag.name),
                                where, meant.empty() ? home_of(tag.name) : meant),
                    correction(tag.name, usual));
@@ -102,7 +102,7 @@ void report_unknown_element(const XmlContext& context, const XmlTag& tag, std::s
       std::find_if(std::begin(shape_words), std::end(shape_words),
                    [&](std::string_view word) { return equal_ignoring_case(word, tag.name); });
   if (shape != std::end(shape_words)) {
-    context.report(xml_unknown_element, tag,
+    context.report("xml.unknown-element"_code, tag,
                    fmt::format("unknown element {} in {}; it was ignored: write <object "
                                "type=\"primitive\" name=\"{}\"/>",
                                element_text(tag.name), where, *shape));
@@ -111,13 +111,13 @@ void report_unknown_element(const XmlContext& context, const XmlTag& tag, std::s
   const std::string_view near = nearest_field(tag.name, names);
   if (near.empty()) {
     const std::string_view usual = translated(tag.name, names);
-    context.report(xml_unknown_element, tag,
+    context.report("xml.unknown-element"_code, tag,
                    fmt::format("unknown element {} in {}; it was ignored{}", element_text(tag.name),
                                where, did_you_mean(usual, "<>")),
                    correction(tag.name, usual));
     return;
   }
-  context.report(xml_misspelled_element, tag,
+  context.report("xml.misspelled-element"_code, tag,
                  fmt::format("unknown element {} in {}{}", element_text(tag.name), where,
                              did_you_mean(near, "<>")),
                  correction(tag.name, near, words_of(names)));
@@ -129,7 +129,7 @@ std::optional<std::size_t> find_field(const XmlContext& context, const XmlTag& t
     if (same_name(n.name, tag.name)) {
       if (n.alias) {
         context.report(
-            xml_alias_element, tag,
+            "xml.alias-element"_code, tag,
             fmt::format("{} in {} was read as {}", element_text(tag.name), element_text(block),
                         element_text(canonical_name(names, n.field))),
             correction(tag.name, canonical_name(names, n.field)));
@@ -139,7 +139,7 @@ std::optional<std::size_t> find_field(const XmlContext& context, const XmlTag& t
   }
   for (const FieldName& n : names) {
     if (equal_ignoring_case(n.name, tag.name)) {
-      context.report(xml_name_case, tag,
+      context.report("xml.name-case"_code, tag,
                      fmt::format("{} in {} was read as {}", element_text(tag.name),
                                  element_text(block), element_text(n.name)),
                      correction(tag.name, n.name));
@@ -163,14 +163,14 @@ void report_block_attribute(const XmlContext& context, const XmlTag& tag,
     report_unknown_attribute(context, tag, attribute, known);
     return;
   }
-  context.report(xml_unknown_attribute, attribute,
+  context.report("xml.unknown-attribute"_code, attribute,
                  fmt::format("attribute {} of {} has no effect; write it as an element inside",
                              attribute.name, element_text(tag.name)));
 }
 
 void SeenFields::note(const XmlContext& context, const XmlTag& tag, std::size_t field) {
   if (has(field)) {
-    context.report(xml_duplicate_element, tag,
+    context.report("xml.duplicate-element"_code, tag,
                    fmt::format("{} is given again, after line {}; this one counts",
                                element_text(tag.name), places_[field].line));
   }

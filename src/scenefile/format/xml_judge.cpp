@@ -96,7 +96,7 @@ class Judge {
     if (system_id != nullptr || public_id != nullptr) {
       static_cast<Judge*>(self)->guarded([&](Judge& judge) {
         judge.diagnostics_.report(
-            xml_external_dtd, TextPlaces(judge.text_).at(judge.opening("<!DOCTYPE")),
+            "xml.external-dtd"_code, TextPlaces(judge.text_).at(judge.opening("<!DOCTYPE")),
             fmt::format("the DOCTYPE names the external file {}; it was not opened",
                         quoted(system_id != nullptr ? system_id : public_id)));
       });
@@ -202,7 +202,7 @@ std::optional<LimitFault> limit_fault(const XmlToken& token, const Limits& limit
     return std::nullopt;  // the usual case
   }
   const auto name_too_long = [&] {
-    return LimitFault{&xml_length_limit,
+    return LimitFault{&"xml.length-limit"_code,
                       fmt::format("a name in <{}> is longer than the limit of {} bytes",
                                   escaped(token.name, 40), limits.name_bytes)};
   };
@@ -212,7 +212,7 @@ std::optional<LimitFault> limit_fault(const XmlToken& token, const Limits& limit
   for (std::size_t i = 0; i < token.attributes.size(); ++i) {
     const XmlAttribute& attribute = token.attributes[i];
     if (i >= limits.attributes) {
-      return LimitFault{&xml_attribute_limit,
+      return LimitFault{&"xml.attribute-limit"_code,
                         fmt::format("<{}> has more attributes than the limit of {}",
                                     escaped(token.name, 40), limits.attributes)};
     }
@@ -221,13 +221,13 @@ std::optional<LimitFault> limit_fault(const XmlToken& token, const Limits& limit
     }
     if (attribute.value.size() > limits.value_bytes) {
       return LimitFault{
-          &xml_length_limit,
+          &"xml.length-limit"_code,
           fmt::format("attribute {} of <{}> is longer than the limit of {} bytes",
                       escaped(attribute.name, 40), escaped(token.name, 40), limits.value_bytes)};
     }
   }
   if (token.written.size() >= max_markup_bytes) {
-    return LimitFault{&xml_length_limit, too_long()};
+    return LimitFault{&"xml.length-limit"_code, too_long()};
   }
   return std::nullopt;
 }

@@ -117,7 +117,7 @@ void EventReader::ask_expat() {
 
 bool EventReader::fail() {
   if (fault_->kind == SyntaxFault::over_limit) {
-    return refuse(xml_length_limit, text_.data() + fault_->at, fault_->message);
+    return refuse("xml.length-limit"_code, text_.data() + fault_->at, fault_->message);
   }
   std::vector<OpenElement> open;
   for (const std::string_view name : open_) {
@@ -189,7 +189,7 @@ bool EventReader::read_start() {
   }
   const XmlTag tag{token_.name, token_.attributes, places_.at(token_.written.data())};
   if (open_.size() == options_.limits.nesting) {
-    return refuse(xml_nesting_limit, token_.written.data(),
+    return refuse("xml.nesting-limit"_code, token_.written.data(),
                   fmt::format("<{}> is nested deeper than the limit of {} elements",
                               escaped(tag.name, 40), options_.limits.nesting));
   }
@@ -239,7 +239,7 @@ bool EventReader::read_text(std::string_view written) {
   }
   const std::string_view name = text.substr(entity + 1);
   return refuse(
-      xml_entity, text.data() + entity,
+      "xml.entity"_code, text.data() + entity,
       fmt::format("the entity {} is not defined; only &lt; &gt; &amp; &quot; and &apos; are",
                   quoted(name.substr(0, name.find(';')))));
 }
@@ -247,7 +247,7 @@ bool EventReader::read_text(std::string_view written) {
 // Returns false after an error.
 bool EventReader::decode_values() {
   if (const std::size_t entity = find_entity_use(token_.written); entity != token_.written.npos) {
-    return refuse(xml_entity, token_.written.data() + entity,
+    return refuse("xml.entity"_code, token_.written.data() + entity,
                   fmt::format("<{}> uses an entity that is not defined", escaped(token_.name, 40)));
   }
   decoded_.clear();

@@ -56,7 +56,7 @@ void make_template(Scene& scene, NodeId nested) {
 bool XmlReferences::declare(const XmlContext& context, std::string_view name, Location place) {
   const auto [entry, added] = declared_.emplace(name, place);
   if (!added) {
-    context.diagnostics.report(xml_duplicate_name, place,
+    context.diagnostics.report("xml.duplicate-name"_code, place,
                                fmt::format("a second tree named {}; the first one is at line {}",
                                            quoted(name), entry->second.line));
   }
@@ -121,7 +121,7 @@ void XmlReferences::resolve_empty(const XmlContext& context, Scene& scene,
     const std::string_view near =
         ++suggestions <= max_suggestions ? nearest_name(node.name, masters) : std::string_view();
     context.diagnostics.report(
-        xml_empty_tree, use.place,
+        "xml.empty-tree"_code, use.place,
         fmt::format("the tree {} is empty, and no master has that name{}", quoted(node.name),
                     near.empty() ? "" : did_you_mean(quoted(near))),
         correction(node.name, near, masters));
@@ -140,7 +140,7 @@ void XmlReferences::resolve_nested(const XmlContext& context, Scene& scene,
       continue;
     }
     const Location place = scene.nodes[found->second].location;
-    context.diagnostics.report(xml_nested_master, use.place,
+    context.diagnostics.report("xml.nested-master"_code, use.place,
                                fmt::format("{} is a tree inside another tree, at line {}; most "
                                            "programs only find those at the top level of the file",
                                            quoted(name), place.line));
@@ -157,7 +157,7 @@ void XmlReferences::resolve_root(const XmlContext& context, Scene& scene,
   const auto found = std::find_if(templates.begin(), templates.end(), is_root);
   if (found != templates.end()) {
     Node& node = scene.nodes[*found];
-    context.diagnostics.report(xml_name_case, node.location,
+    context.diagnostics.report("xml.name-case"_code, node.location,
                                fmt::format("the tree {} was read as root", quoted(node.name)),
                                correction(node.name, "root"));
     scene.nodes[scene.root].children = std::exchange(node.children, {});
@@ -169,7 +169,7 @@ void XmlReferences::resolve_root(const XmlContext& context, Scene& scene,
       templates.size() == 1
           ? fmt::format("; did you mean {}?", quoted(scene.nodes[templates[0]].name))
           : std::string();
-  context.diagnostics.report(xml_no_root, scenefile,
+  context.diagnostics.report("xml.no-root"_code, scenefile,
                              "the scene has no tree named root, so the picture is empty" + hint);
 }
 

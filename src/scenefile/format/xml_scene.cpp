@@ -184,7 +184,7 @@ void SceneBuilder::text(std::string_view characters, Location location) {
   const std::string meant =
       top().block == Block::leaf ? as_attributes(top().element, characters) : std::string();
   context_.diagnostics.report(
-      xml_text, location,
+      "xml.text"_code, location,
       fmt::format("the text {} has no effect; {}", quoted(characters),
                   !meant.empty() ? "write " + meant
                   : characters.find("/>") != std::string_view::npos
@@ -231,7 +231,7 @@ bool SceneBuilder::open(const XmlTag& tag) {
     case Block::transblock:
       return open_in_transblock(tag);
     case Block::instance:
-      return ignore(xml_instance_children, tag,
+      return ignore("xml.instance-children"_code, tag,
                     fmt::format("{} inside an instance has no effect", element_text(tag.name)));
     case Block::leaf:
       report_unknown_element(context_, tag, top().element);
@@ -244,7 +244,7 @@ bool SceneBuilder::open_document(const XmlTag& tag) {
   if (!equal_ignoring_case(tag.name, "scenefile")) {
     constexpr std::string_view scenefile = "scenefile";
     const std::string_view near = nearest_name(tag.name, {&scenefile, 1});
-    context_.report(xml_root_element, tag,
+    context_.report("xml.root-element"_code, tag,
                     fmt::format("the file is not a scene: expected <scenefile>, found {}{}",
                                 element_text(tag.name), did_you_mean(near, "<>")),
                     correction(tag.name, near));
@@ -253,13 +253,13 @@ bool SceneBuilder::open_document(const XmlTag& tag) {
       return false;
     }
   } else if (tag.name != "scenefile") {
-    context_.report(xml_name_case, tag,
+    context_.report("xml.name-case"_code, tag,
                     fmt::format("{} was read as <scenefile>", element_text(tag.name)),
                     correction(tag.name, "scenefile"));
   }
   for (const XmlAttribute& attribute : tag.attributes) {
     if (attribute.name == "xmlns") {
-      context_.report(xml_unknown_attribute, attribute,
+      context_.report("xml.unknown-attribute"_code, attribute,
                       "attribute xmlns of <scenefile> has no effect: the format has no namespace, "
                       "and validators reject one; remove it");
     }
@@ -296,7 +296,7 @@ bool SceneBuilder::open_top(const XmlTag& tag) {
 bool SceneBuilder::open_globals(const XmlTag& tag) {
   expect_no_attributes(context_, tag);
   if (scene_.global.location.known()) {
-    context_.report(xml_duplicate_element, tag,
+    context_.report("xml.duplicate-element"_code, tag,
                     fmt::format("a second <globaldata>, after line {}; its values count",
                                 scene_.global.location.line));
   }
@@ -309,7 +309,7 @@ bool SceneBuilder::open_light(const XmlTag& tag) {
   const std::uint32_t limit = context_.options.limits.lights;
   if (scene_.nodes[scene_.root].lights.size() >= limit) {
     stopped_ = true;
-    return ignore(xml_light_limit, tag,
+    return ignore("xml.light-limit"_code, tag,
                   fmt::format("the scene has more lights than the limit of {}", limit));
   }
   light_ = begin_light(context_, tag);
@@ -323,13 +323,13 @@ bool SceneBuilder::open_top_object(const XmlTag& tag) {
     return false;
   }
   if (object->type != ObjectType::tree) {
-    return ignore(xml_misplaced_element, tag,
+    return ignore("xml.misplaced-element"_code, tag,
                   "only trees may be at the top level of the file: this object must be inside a "
                   "transblock of a tree; it was ignored");
   }
   if (object->name.empty()) {
     lost_tree_ = true;
-    return ignore(xml_master_name, tag,
+    return ignore("xml.master-name"_code, tag,
                   "a tree at the top of the file needs a name; that of the scene itself is root");
   }
   const bool is_root = object->name == "root";
@@ -342,7 +342,7 @@ bool SceneBuilder::open_top_object(const XmlTag& tag) {
   if (is_new && !is_root && scene_.nodes[scene_.root].location.known()) {
     const Location use = references_.early_use(std::string(object->name));
     context_.report(
-        xml_master_after_root, tag,
+        "xml.master-after-root"_code, tag,
         fmt::format("the master {} is declared after the root{}", quoted(object->name),
                     use.known() ? fmt::format(", though line {} uses it", use.line) : ""));
   }
@@ -379,7 +379,7 @@ bool SceneBuilder::open_in_tree(const XmlTag& tag) {
     return open_transblock(tag);
   }
   if (!nearest_name(tag.name, {&transblock, 1}).empty()) {
-    context_.report(xml_misspelled_transblock, tag,
+    context_.report("xml.misspelled-transblock"_code, tag,
                     fmt::format("{} was read as <transblock>", element_text(tag.name)),
                     correction(tag.name, transblock));
     return open_transblock(tag);
@@ -388,7 +388,7 @@ bool SceneBuilder::open_in_tree(const XmlTag& tag) {
     report_unknown_element(context_, tag, top().element);
     return false;
   }
-  context_.report(xml_object_without_transblock, tag,
+  context_.report("xml.object-without-transblock"_code, tag,
                   "the object is in a tree without a transblock around it; it was read as if one "
                   "without transforms were there: put <transblock> and </transblock> around it");
   top().has_content = true;
@@ -411,13 +411,13 @@ bool SceneBuilder::open_transblock(const XmlTag& tag) {
 
 bool SceneBuilder::open_in_transblock(const XmlTag& tag) {
   if (top().has_content && !context_.options.compat_course) {
-    return ignore(xml_after_object, tag,
+    return ignore("xml.after-object"_code, tag,
                   fmt::format("{} is ignored, like everything that follows the first object of a "
                               "transblock; --compat course uses it",
                               element_text(tag.name)));
   }
   if (tag.name == "transblock") {
-    return ignore(xml_misplaced_element, tag,
+    return ignore("xml.misplaced-element"_code, tag,
                   "a transblock cannot be directly inside a transblock, so it was ignored; put it "
                   "into <object type=\"tree\">");
   }
@@ -426,7 +426,7 @@ bool SceneBuilder::open_in_transblock(const XmlTag& tag) {
     return false;
   }
   if (top().has_content) {
-    context_.report(xml_after_object_used, tag,
+    context_.report("xml.after-object-used"_code, tag,
                     fmt::format("{} follows the first object of a transblock; it was used anyway",
                                 element_text(tag.name)));
   }
@@ -480,7 +480,7 @@ bool SceneBuilder::open_object(const XmlTag& tag) {
 
 bool SceneBuilder::open_tree(const XmlTag& tag, const ObjectTag& object) {
   if (object.name == "root") {
-    context_.diagnostics.report(xml_reserved_root, Severity::warning, object.name_place,
+    context_.diagnostics.report("xml.reserved-root"_code, Severity::warning, object.name_place,
                                 "the name root belongs to the tree at the top of the file");
   }
   Node& node = scene_.nodes[top().node];
@@ -495,10 +495,11 @@ bool SceneBuilder::open_tree(const XmlTag& tag, const ObjectTag& object) {
 
 bool SceneBuilder::open_instance(const XmlTag& tag, const ObjectTag& object) {
   if (object.name.empty()) {
-    return ignore(xml_master_name, tag, "an instance needs the name of a master");
+    return ignore("xml.master-name"_code, tag, "an instance needs the name of a master");
   }
   if (object.name == "root") {
-    return ignore(xml_reserved_root, tag, "root cannot be a part of the scene; it is the scene");
+    return ignore("xml.reserved-root"_code, tag,
+                  "root cannot be a part of the scene; it is the scene");
   }
   Node& node = scene_.nodes[top().node];
   const bool is_used = !node.primitives.empty() || !node.children.empty();
@@ -564,7 +565,7 @@ void SceneBuilder::end_tree(const Frame& tree) {
   Node& node = scene_.nodes[tree.node];
   const bool is_used = !node.primitives.empty() || !node.children.empty();
   if (node.name.empty() || is_used) {
-    context_.diagnostics.report(xml_empty_tree, tree.name_place, "the tree is empty");
+    context_.diagnostics.report("xml.empty-tree"_code, tree.name_place, "the tree is empty");
     return;
   }
   const std::string name = std::exchange(node.name, {});
@@ -574,7 +575,8 @@ void SceneBuilder::end_tree(const Frame& tree) {
 void SceneBuilder::end_transblock(const Frame& block) {
   flush_transforms(block.node);
   if (!block.has_content) {
-    context_.diagnostics.report(xml_transblock_without_object, scene_.nodes[block.node].location,
+    context_.diagnostics.report("xml.transblock-without-object"_code,
+                                scene_.nodes[block.node].location,
                                 "the transblock has no object, so nothing is drawn for it");
   }
 }

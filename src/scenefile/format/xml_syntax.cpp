@@ -75,7 +75,7 @@ Cause unclosed_value(std::string_view text, std::size_t at) {
     return {};
   }
   return SyntaxCause{
-      &xml_syntax, value,
+      &"xml.syntax"_code, value,
       fmt::format("the value that begins here, in <{}>, is missing its closing quotation "
                   "mark",
                   escaped(name_at(text.substr(open + 1)), 40))};
@@ -87,7 +87,7 @@ Cause broken_comment_start(std::string_view text, std::size_t at) {
   if (open == std::string_view::npos || at - open > 3 || text[open + 1] != '!') {
     return {};
   }
-  return SyntaxCause{&xml_syntax, open, "a comment starts with <!-- and ends with -->"};
+  return SyntaxCause{&"xml.syntax"_code, open, "a comment starts with <!-- and ends with -->"};
 }
 
 // Dashes in a comment that is not closed properly.
@@ -101,7 +101,7 @@ Cause broken_comment_end(std::string_view text, std::size_t at) {
   if (next == std::string_view::npos || text[next] != '>') {
     return {};
   }
-  return SyntaxCause{&xml_comment, at - 2, std::string(broken_comment_end_text)};
+  return SyntaxCause{&"xml.comment"_code, at - 2, std::string(broken_comment_end_text)};
 }
 
 Cause unfinished_declaration(std::string_view text, std::size_t at) {
@@ -109,7 +109,7 @@ Cause unfinished_declaration(std::string_view text, std::size_t at) {
     return {};
   }
   const std::string name = escaped(name_at(text.substr(at + 2)), 40);
-  return SyntaxCause{&xml_syntax, at,
+  return SyntaxCause{&"xml.syntax"_code, at,
                      fmt::format("<?{} is missing its end ?>: write ? in front of the >", name)};
 }
 
@@ -126,7 +126,7 @@ Cause closed_twice(std::string_view text, std::size_t at) {
   }
   const std::string shown = escaped(name, 40);
   return SyntaxCause{
-      &xml_syntax, at,
+      &"xml.syntax"_code, at,
       fmt::format("</{0}> has no opening tag: <{0}> is already closed by its />; remove it", shown),
       Correction{std::string(name), ""}};
 }
@@ -149,7 +149,7 @@ Cause opened_as_text(std::string_view text, std::size_t at, std::span<const Open
     return {};
   }
   return SyntaxCause{
-      &xml_syntax, written,
+      &"xml.syntax"_code, written,
       fmt::format("the tag {}> is missing its <; </{}> of line {} has nothing to close",
                   escaped(name, 40), escaped(name, 40), line_of(text, at))};
 }
@@ -178,7 +178,7 @@ Cause misspelled_start(std::string_view text, std::size_t at, std::span<const Op
     return {};
   }
   const OpenElement& inner = open.back();
-  return SyntaxCause{&xml_syntax, inner.at,
+  return SyntaxCause{&"xml.syntax"_code, inner.at,
                      fmt::format("<{0}> is closed by </{1}> of line {2}; did you mean <{1}>?",
                                  escaped(inner.name, 40), escaped(closing, 40), line_of(text, at)),
                      correction(inner.name, closing)};
@@ -201,7 +201,7 @@ Cause unclosed_element(std::string_view text, std::size_t at, std::span<const Op
   if (!token.written.ends_with('>') || next == std::string_view::npos || text[next] != '<') {
     return {};
   }
-  return SyntaxCause{&xml_syntax, value.at,
+  return SyntaxCause{&"xml.syntax"_code, value.at,
                      fmt::format("<{}> is not closed before </{}>; a tag without contents ends "
                                  "with />",
                                  escaped(value.name, 40), escaped(outer->name, 40)),
@@ -554,7 +554,7 @@ class Mender {
 
   void report(std::size_t at, std::string_view refused, std::string_view accepted) {
     const Severity severity = options_.compat_course ? Severity::warning : Severity::error;
-    diagnostics_.report(xml_comment, severity, places_.at(at),
+    diagnostics_.report("xml.comment"_code, severity, places_.at(at),
                         std::string(options_.compat_course ? accepted : refused));
   }
 
@@ -597,12 +597,12 @@ std::size_t find_entity_use(std::string_view markup) {
 void report_syntax(const XmlFault& fault, std::string_view text, std::span<const OpenElement> open,
                    TextPlaces& places, Diagnostics& diagnostics) {
   if (fault.kind == SyntaxFault::declaration) {
-    diagnostics.report(xml_entity, places.at(fault.at), fault.message);
+    diagnostics.report("xml.entity"_code, places.at(fault.at), fault.message);
     return;
   }
   const std::string_view line = line_at(text, fault.at);
   if (is_conflict_marker(line)) {
-    diagnostics.report(xml_conflict_marker,
+    diagnostics.report("xml.conflict-marker"_code,
                        places.at(static_cast<std::size_t>(line.data() - text.data())),
                        fmt::format("an unresolved git conflict: {}", quoted(line, 40)));
     return;
@@ -612,7 +612,7 @@ void report_syntax(const XmlFault& fault, std::string_view text, std::span<const
     diagnostics.report(*cause->code, places.at(cause->at), cause->message, cause->correction);
     return;
   }
-  diagnostics.report(xml_syntax, places.at(at), message_of(fault, text, at, open),
+  diagnostics.report("xml.syntax"_code, places.at(at), message_of(fault, text, at, open),
                      correction_of(fault, text, at, open));
 }
 
@@ -631,7 +631,7 @@ void report_unquoted(const XmlToken& token, TextPlaces& places, Diagnostics& dia
                          : marks.closing != 0 ? "is missing its opening quotation mark"
                                               : "must be in quotation marks");
     }
-    diagnostics.report(xml_syntax, places.at(attribute.value.data() - marks.opening),
+    diagnostics.report("xml.syntax"_code, places.at(attribute.value.data() - marks.opening),
                        fmt::format("{}; write {}=\"{}\"", what, escaped(attribute.name, 40),
                                    escaped(attribute.value, 60)),
                        correction(attribute.value, attribute.value));
@@ -640,7 +640,7 @@ void report_unquoted(const XmlToken& token, TextPlaces& places, Diagnostics& dia
 
 void report_end_case(const XmlToken& end, std::string_view open, TextPlaces& places,
                      Diagnostics& diagnostics) {
-  diagnostics.report(xml_syntax, places.at(end.written.data()),
+  diagnostics.report("xml.syntax"_code, places.at(end.written.data()),
                      misspelled_end(end.name, {open, places.at(open.data() - 1)}),
                      correction(end.name, open));
 }

@@ -157,11 +157,11 @@ void settle_others(const XmlContext& context, const XmlTag& tag, const Signature
     }
     const std::string_view near = nearest_name(attribute.name, missing_names(signature, parts));
     if (is_alpha(signature, attribute)) {
-      context.report(xml_color_alpha, attribute,
+      context.report("xml.color-alpha"_code, attribute,
                      fmt::format("attribute {} of {} has no effect: a color has three parts",
                                  attribute.name, element_text(tag.name)));
     } else if (!near.empty()) {
-      context.report(xml_misspelled_attribute, attribute,
+      context.report("xml.misspelled-attribute"_code, attribute,
                      fmt::format("unknown attribute {} of {}{}", escaped(attribute.name, 40),
                                  element_text(tag.name), did_you_mean(near)),
                      correction(attribute.name, near, missing_names(signature, parts)));
@@ -200,7 +200,7 @@ bool take_rest(const XmlContext& context, const XmlTag& tag, const Signature& si
       parts[next++] = &attribute;
     }
   }
-  context.report(only_last ? xml_alias_attribute : xml_positional_attributes,
+  context.report(only_last ? "xml.alias-attribute"_code : "xml.positional-attributes"_code,
                  *parts[only_last ? last : 0],
                  fmt::format("attribute{} {} of {} {} read as {}", only_last ? "" : "s",
                              fmt::join(taken, ", "), element_text(tag.name),
@@ -287,7 +287,7 @@ bool report_one_for_all(const XmlContext& context, const XmlTag& tag, const Sign
     meant += fmt::format("{}{}=\"{}\"", i == 0 ? "" : " ", names[i], numbers[i]);
   }
   const bool certain = listed && attribute.value[0] != '#' && is_plain_list(attribute.value);
-  context.report(xml_missing_attribute, tag,
+  context.report("xml.missing-attribute"_code, tag,
                  fmt::format("{} is missing the attributes {}; write {}", element_text(tag.name),
                              fmt::join(missing_names(signature, parts), ", "), meant),
                  Correction{std::string(attribute.name), meant, certain});
@@ -308,12 +308,12 @@ std::optional<Parts> by_order(const XmlContext& context, const XmlTag& tag,
                               const Signature& signature) {
   const XmlAttribute& first = tag.attributes.front();
   if (signature.parts == 1) {
-    context.report(xml_alias_attribute, first,
+    context.report("xml.alias-attribute"_code, first,
                    fmt::format("attribute {} of {} was read as {}", escaped(first.name, 40),
                                element_text(tag.name), names_text(signature)),
                    correction(first.name, signature.forms.front().names[0]));
   } else {
-    context.report(xml_positional_attributes, first,
+    context.report("xml.positional-attributes"_code, first,
                    fmt::format("the attributes of {} were read in their order, as {}",
                                element_text(tag.name), names_text(signature)));
   }
@@ -325,7 +325,7 @@ void report_alias(const XmlContext& context, const XmlTag& tag, const Signature&
   const AttributeForm& canonical = signature.forms.front();
   for (std::size_t i = 0; i < signature.parts; ++i) {
     if (parts[i] != nullptr && parts[i]->name != canonical.names[i]) {
-      context.report(xml_alias_attribute, *parts[i],
+      context.report("xml.alias-attribute"_code, *parts[i],
                      fmt::format("attribute {} of {} was read as {}", parts[i]->name,
                                  element_text(tag.name), canonical.names[i]),
                      correction(parts[i]->name, canonical.names[i]));
@@ -411,7 +411,7 @@ void report_unknown_attribute(const XmlContext& context, const XmlTag& tag,
                               std::span<const std::string_view> known) {
   const std::string_view near = nearest_name(attribute.name, known);
   context.report(
-      xml_unknown_attribute, attribute,
+      "xml.unknown-attribute"_code, attribute,
       fmt::format("unknown attribute {} of {} has no effect{}", escaped(attribute.name, 40),
                   element_text(tag.name), did_you_mean(near)),
       correction(attribute.name, near, known));
@@ -419,7 +419,7 @@ void report_unknown_attribute(const XmlContext& context, const XmlTag& tag,
 
 void report_meant(const XmlContext& context, const XmlTag& tag, const XmlAttribute& attribute,
                   std::string_view missing) {
-  context.report(xml_missing_attribute, tag,
+  context.report("xml.missing-attribute"_code, tag,
                  fmt::format("{} is missing the attribute {}; the unknown attribute {} is probably "
                              "meant to be it: write {}=\"{}\"",
                              element_text(tag.name), missing, escaped(attribute.name, 40), missing,
@@ -468,7 +468,7 @@ std::string as_attributes(std::string_view element, std::string_view text) {
 void report_missing(const XmlContext& context, const XmlTag& tag, const Signature& signature,
                     const Parts& parts) {
   const std::vector<std::string_view> missing = missing_names(signature, parts);
-  context.report(xml_missing_attribute, tag,
+  context.report("xml.missing-attribute"_code, tag,
                  fmt::format("{} is missing the attribute{} {}", element_text(tag.name),
                              missing.size() == 1 ? "" : "s", fmt::join(missing, ", ")));
 }
@@ -522,7 +522,7 @@ void report_order(const XmlContext& context, const XmlTag& tag,
   for (auto attribute = wanted.begin(); attribute != end; ++attribute) {
     names.push_back(escaped((*attribute)->name, 40));
   }
-  context.report(xml_attribute_order, **other.second,
+  context.report("xml.attribute-order"_code, **other.second,
                  fmt::format("the attributes of {} were read by their names; programs that use "
                              "their order differ: write them in the order {}",
                              element_text(tag.name), fmt::join(names, ", ")));
@@ -541,14 +541,14 @@ bool read_number(const XmlContext& context, const XmlTag& tag, const XmlAttribut
   switch (parsed.error) {
     case NumberError::none:
       context.report(
-          xml_number_underflow, attribute,
+          "xml.number-underflow"_code, attribute,
           fmt::format("{}: {} is too small for a number here; it counts as 0", what, value));
       return true;
     case NumberError::empty:
-      context.report(xml_empty_number, attribute, what + " is empty; it counts as 0");
+      context.report("xml.empty-number"_code, attribute, what + " is empty; it counts as 0");
       return true;
     case NumberError::out_of_range:
-      context.report(xml_number_range, attribute,
+      context.report("xml.number-range"_code, attribute,
                      fmt::format("{}: {} is too large for a number", what, value));
       return false;
     case NumberError::malformed:
@@ -556,14 +556,14 @@ bool read_number(const XmlContext& context, const XmlTag& tag, const XmlAttribut
   }
   const std::string meant = nearest_number(attribute.value);
   if (!context.options.compat_course) {
-    context.report(xml_number, attribute,
+    context.report("xml.number"_code, attribute,
                    fmt::format("{}: {} is not a number{}", what, value, number_hint(meant)),
                    number_correction(attribute.value, meant));
     return false;
   }
   number = static_cast<float>(parsed.value);
   context.diagnostics.add(
-      {&xml_number,
+      {&"xml.number"_code,
        Severity::warning,
        context.place(attribute),
        {},

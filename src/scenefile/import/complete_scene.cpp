@@ -16,14 +16,14 @@ void complete_scene(Scene& scene, const Bounds& box, Diagnostics& diagnostics) {
     const double half_angle = glm::radians(double(camera.height_angle_deg)) / 2;
     camera.look = glm::vec3(look);
     camera.position = glm::vec3(middle - look * (radius / std::sin(half_angle)));
-    diagnostics.report(import_added, {}, "a camera is added that shows the whole model");
+    diagnostics.report("import.added"_code, {}, "a camera is added that shows the whole model");
   }
   if (scene.nodes[scene.root].lights.empty()) {
     Light light;
     light.type = LightType::directional;
     light.direction = {-0.5f, -1, -0.7f};
     scene.nodes[scene.root].lights.push_back(light);
-    diagnostics.report(import_added, {}, "a light from above is added");
+    diagnostics.report("import.added"_code, {}, "a light from above is added");
   }
 }
 

@@ -73,7 +73,7 @@ class Opener {
     if (is_glb(bytes)) {
       chunks.json = {};
       if (const std::string wrong = split(bytes, chunks); !wrong.empty()) {
-        return fail(import_not_a_model, {}, wrong);
+        return fail("import.not-a-model"_code, {}, wrong);
       }
     }
     if (!parse(chunks.json, is_glb(bytes)) || !check_version() || !check_extensions()) {
@@ -96,14 +96,14 @@ class Opener {
     }
     const JsonError error = parse_json(text, options_.limits.nesting, file_.tape);
     if (error.fault == JsonFault::too_deep) {
-      return fail(import_limit, {},
+      return fail("import.limit"_code, {},
                   fmt::format("the JSON is nested deeper than {} levels", options_.limits.nesting));
     }
     if (error.fault != JsonFault::none || !file_.tape.is_object(0)) {
       const std::size_t at = error.fault == JsonFault::none ? 0 : error.offset;
-      return binary ? fail(import_not_a_model, {},
+      return binary ? fail("import.not-a-model"_code, {},
                            fmt::format("its JSON is damaged at byte {} of the chunk", at))
-                    : fail(import_not_a_model, TextPlaces(text).at(at),
+                    : fail("import.not-a-model"_code, TextPlaces(text).at(at),
                            "this is not the JSON of a glTF file");
     }
     file_.root = JsonValue(file_.tape, 0);
@@ -113,10 +113,11 @@ class Opener {
   bool check_version() {
     const std::string version = file_.root["asset"]["version"].string().value_or("");
     if (version.empty()) {
-      return fail(import_not_a_model, {}, "asset.version is missing: this is not a glTF file");
+      return fail("import.not-a-model"_code, {},
+                  "asset.version is missing: this is not a glTF file");
     }
     return version.starts_with("2.") ||
-           fail(import_unsupported, {},
+           fail("import.unsupported"_code, {},
                 fmt::format("it is glTF {}; export it as glTF 2.0", quoted(version)));
   }
 
@@ -130,7 +131,7 @@ class Opener {
       if (!name.starts_with("KHR_materials_") &&
           std::find(std::begin(known), std::end(known), name) == std::end(known)) {
         fine = fail(
-            import_unsupported, {},
+            "import.unsupported"_code, {},
             fmt::format("the file requires the extension {}; export it without", quoted(name)));
       }
     }
@@ -160,20 +161,21 @@ class Opener {
       if (uri) {
         Result<std::string> fetched = fetch_uri(*uri, options_);
         if (!fetched) {
-          diagnostics_.report(import_missing_file, Severity::error, {},
+          diagnostics_.report("import.missing-file"_code, Severity::error, {},
                               fmt::format("buffers[{}]: {}", i, fetched.error().text));
           return false;
         }
         total += fetched->size();
         if (total > options_.limits.mesh_bytes) {
-          return fail(import_limit, {}, "the buffers are larger than the limit for all meshes");
+          return fail("import.limit"_code, {},
+                      "the buffers are larger than the limit for all meshes");
         }
         file_.fetched.push_back(*std::move(fetched));
         bytes = file_.fetched.back();
       }
       const std::optional<std::uint64_t> size = list[i]["byteLength"].whole();
       if (!size || *size > bytes.size()) {
-        fine = fail(import_value, {},
+        fine = fail("import.value"_code, {},
                     fmt::format("buffers[{}].byteLength is missing or more than the {} bytes "
                                 "there are",
                                 i, bytes.size()));
@@ -197,7 +199,8 @@ class Opener {
           length <= file_.buffers[buffer].size() - offset && stride <= 252) {
         view = {file_.buffers[buffer].substr(offset, length), stride};
       } else {
-        fine = fail(import_value, {}, fmt::format("bufferViews[{}] reaches beyond its buffer", i));
+        fine = fail("import.value"_code, {},
+                    fmt::format("bufferViews[{}] reaches beyond its buffer", i));
       }
       file_.views.push_back(view);
     }

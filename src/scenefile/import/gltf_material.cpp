@@ -133,7 +133,7 @@ const GltfMaterial& GltfMaterials::get(std::uint32_t index) {
 
 void GltfMaterials::leave_out(std::string_view what) {
   if (left_out_.emplace(what).second) {
-    diagnostics_.report(import_left_out, {}, fmt::format("{} are left out", what));
+    diagnostics_.report("import.left-out"_code, {}, fmt::format("{} are left out", what));
   }
 }
 
@@ -177,7 +177,7 @@ void GltfMaterials::add_texture(const JsonValue& info, const glm::vec3& factor,
                                   ? file_.textures[index]["source"].whole().value_or(no_item)
                                   : no_item;
   if (image >= file_.images.size()) {
-    diagnostics_.report(import_left_out, {},
+    diagnostics_.report("import.left-out"_code, {},
                         fmt::format("textures[{}] has no picture that can be read", index));
     return;
   }
@@ -211,7 +211,7 @@ std::string GltfMaterials::picture(std::uint32_t image, const glm::vec3& factor)
   }
   if (!texture) {
     const bool limit = texture.error().kind == ErrorKind::limit;
-    diagnostics_.report(limit ? import_limit : import_missing_file, {},
+    diagnostics_.report(limit ? "import.limit"_code : "import.missing-file"_code, {},
                         fmt::format("images[{}]: {}", image, texture.error().text));
     return {};
   }

@@ -68,7 +68,7 @@ class GltfReader {
   };
 
   void fail(std::string message) {
-    diagnostics_.report(import_value, {}, std::move(message));
+    diagnostics_.report("import.value"_code, {}, std::move(message));
     failed_ = true;
   }
 
@@ -139,7 +139,7 @@ class GltfReader {
         {"skins", "skins are left out: meshes are shown in their rest pose"}};
     for (const auto& [member, message] : parts) {
       if (!file_.root[member].elements().empty()) {
-        diagnostics_.report(import_left_out, {}, std::string(message));
+        diagnostics_.report("import.left-out"_code, {}, std::string(message));
       }
     }
   }
@@ -277,7 +277,7 @@ class GltfReader {
 
   void leave_out(std::string_view what) {
     if (left_out_.emplace(what).second) {
-      diagnostics_.report(import_left_out, {}, fmt::format("{} are left out", what));
+      diagnostics_.report("import.left-out"_code, {}, fmt::format("{} are left out", what));
     }
   }
 
@@ -301,7 +301,7 @@ class GltfReader {
         absurd ? 0 : vertices * bytes_of_vertex + triangles * bytes_of_triangle;
     if (absurd || triangles > triangles_left_ || bytes > bytes_left_) {
       diagnostics_.report(
-          import_limit, {},
+          "import.limit"_code, {},
           fmt::format(
               "{}: {} triangles of {} vertices exceed what is left of the limit for all meshes",
               where, triangles, vertices));
@@ -427,7 +427,7 @@ class GltfReader {
         return;
       }
     } else {
-      diagnostics_.report(import_left_out, {},
+      diagnostics_.report("import.left-out"_code, {},
                           "the orthographic camera becomes a perspective camera of 45 degrees");
     }
     Camera& c = result_.scene.camera.emplace();

@@ -83,12 +83,12 @@ class ObjSceneReader {
       return {};
     }
     if (mesh_.triangles.empty()) {
-      diagnostics_.report(import_not_a_model, {}, "the OBJ file has no triangles");
+      diagnostics_.report("import.not-a-model"_code, {}, "the OBJ file has no triangles");
       return {};
     }
     if (mesh_.triangles.size() * obj_bytes_of_triangle > options_.limits.mesh_bytes) {
       diagnostics_.report(
-          import_limit, {},
+          "import.limit"_code, {},
           fmt::format("{} triangles, divided by material, exceed the limit for all meshes",
                       mesh_.triangles.size()));
       return {};
@@ -149,7 +149,7 @@ class ObjSceneReader {
       }
       if (!any && !error.empty()) {
         diagnostics_.report(
-            import_missing_file, line.back().location,
+            "import.missing-file"_code, line.back().location,
             fmt::format("the materials {}: {}", quoted(line.back().name, 400), error));
       }
     }
@@ -193,7 +193,7 @@ class ObjSceneReader {
     const auto found = materials_.find(name);
     if (found == materials_.end()) {
       if (!name.empty() && has_libraries_) {
-        diagnostics_.report(import_left_out, {},
+        diagnostics_.report("import.left-out"_code, {},
                             fmt::format("no library has the material {}", quoted(name)));
       }
       return {};
@@ -223,8 +223,8 @@ class ObjSceneReader {
       const Error& error = texture.error();
       const std::string name = quoted(file, 400);
       error.kind == ErrorKind::limit
-          ? diagnostics_.report(import_limit, {}, fmt::format("{}: {}", name, error.text))
-          : diagnostics_.report(import_missing_file, {},
+          ? diagnostics_.report("import.limit"_code, {}, fmt::format("{}: {}", name, error.text))
+          : diagnostics_.report("import.missing-file"_code, {},
                                 fmt::format("the picture {}: {}", name, error.text));
       return {};
     }

@@ -140,7 +140,7 @@ LoadedScene checked(Document& document, const FetchFile& fetch) {
     }
     if (has_emissive_faces(scene.assets)) {
       scene.diagnostics.rewrite([](const Code& code, Severity severity) {
-        return &code == &scene_no_light ? std::nullopt : std::optional(severity);
+        return &code == &"scene.no-light"_code ? std::nullopt : std::optional(severity);
       });
     }
   }

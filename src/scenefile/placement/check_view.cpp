@@ -26,13 +26,13 @@ class ViewCheck {
 
   void check_camera() {
     search_.enclosing(scene_.camera.position, scene_.camera.position, [&](const Enclosure& e) {
-      diagnostics_.report(camera_inside_object, question_.camera,
+      diagnostics_.report("camera.inside-object"_code, question_.camera,
                           fmt::format("the camera is inside {}", text_of(*e.primitive)));
       return false;
     });
     if (search_.misses(view_region(scene_.camera, question_.aspect))) {
       diagnostics_.report(
-          camera_nothing_in_view, question_.camera,
+          "camera.nothing-in-view"_code, question_.camera,
           fmt::format("no object is in view of the camera, for any aspect ratio up to {}",
                       number_text(static_cast<float>(question_.aspect))));
     }
@@ -48,7 +48,7 @@ class ViewCheck {
       }
     }
     if (any && (!lit || !answers_light(scene_.global))) {
-      diagnostics_.report(scene_unlit, {}, std::string(lit ? dark_text() : nothing_lit));
+      diagnostics_.report("scene.unlit"_code, {}, std::string(lit ? dark_text() : nothing_lit));
     }
   }
 
@@ -64,7 +64,7 @@ class ViewCheck {
   // Returns whether the light may contribute to the picture; adds a finding if it cannot.
   bool reaches(const RenderLight& light) {
     if (search_.misses(lit_region(light))) {
-      diagnostics_.report(light_misses, question_.place_of(light.source),
+      diagnostics_.report("light.misses"_code, question_.place_of(light.source),
                           has_cone(light.type)
                               ? "no object is in the cone of the spotlight"
                               : "no object is on the side that the area light shines on");
@@ -84,7 +84,7 @@ class ViewCheck {
             if (e.holds_other || is_transparent(m)) {
               return true;
             }
-            diagnostics_.report(light_inside_object, question_.place_of(light.source),
+            diagnostics_.report("light.inside-object"_code, question_.place_of(light.source),
                                 fmt::format("the light is inside {}", text_of(*e.primitive)));
             shut_in = !has_highlight(scene_.global, m);
             return false;
@@ -122,12 +122,6 @@ class ViewCheck {
 };
 
 }  // namespace
-
-std::span<const Code* const> view_codes() {
-  static constexpr const Code* all[] = {&camera_inside_object, &camera_nothing_in_view,
-                                        &light_inside_object, &light_misses, &scene_unlit};
-  return all;
-}
 
 void check_view(const RenderScene& scene, const Assets& assets, const ViewQuestion& question,
                 Diagnostics& diagnostics) {

@@ -1,34 +1,31 @@
 #pragma once
 // Findings of check_view().
 
-#include "scenefile/base/diagnostics.h"
-
-#include <span>
+#include "scenefile/base/code.h"
 
 namespace scenefile {
 
-inline constexpr Code camera_inside_object{
-    "camera.inside-object", Severity::warning, "a camera inside an object",
-    "It sees the object from inside, and anything outside only if the object is transparent. Move "
-    "the camera out, or allow this code if the object is a room or a sky."};
-inline constexpr Code camera_nothing_in_view{
-    "camera.nothing-in-view", Severity::warning, "no object in view",
-    "Every object is behind the camera or outside its field of view, so the picture is black. The "
-    "usual reason is a focus point given as look, which is a direction, or the reverse."};
-inline constexpr Code light_inside_object{
-    "light.inside-object", Severity::note, "a light inside an object",
-    "The object blocks the light: with shadows, nothing outside is lit by it. In JSON a light is "
-    "at the origin of its group: put the light and the object in different groups."};
-inline constexpr Code light_misses{
-    "light.misses", Severity::warning, "a light that points past everything",
-    "No object is in the cone of the spotlight, or on the side to which the area light shines. "
-    "direction is the direction in which the light travels."};
-inline constexpr Code scene_unlit{
-    "scene.unlit", Severity::warning, "lights, but nothing is lit",
-    "The picture shows ambient light only: the lights are inside objects or shine past everything, "
-    "or the coefficients and colors leave neither a diffuse nor a specular part."};
+inline constexpr Code placement_codes[] = {
+    {"camera.inside-object", Severity::warning, "a camera inside an object",
+     "It sees the object from inside, and anything outside only if the object is transparent. Move "
+     "the camera out, or allow this code if the object is a room or a sky."},
+    {"camera.nothing-in-view", Severity::warning, "no object in view",
+     "Every object is behind the camera or outside its field of view, so the picture is black. The "
+     "usual reason is a focus point given as look, which is a direction, or the reverse."},
+    {"light.inside-object", Severity::note, "a light inside an object",
+     "The object blocks the light: with shadows, nothing outside is lit by it. In JSON a light is "
+     "at the origin of its group: put the light and the object in different groups."},
+    {"light.misses", Severity::warning, "a light that points past everything",
+     "No object is in the cone of the spotlight, or on the side to which the area light shines. "
+     "direction is the direction in which the light travels."},
+    {"scene.unlit", Severity::warning, "lights, but nothing is lit",
+     "The picture shows ambient light only: the lights are inside objects or shine past "
+     "everything, or the coefficients and colors leave neither a diffuse nor a specular part."},
+};
 
-/// All of the above, by name.
-std::span<const Code* const> view_codes();
+template <CodeName name>
+consteval const Code& operator""_code() requires(find_code(placement_codes, name) != nullptr) {
+  return *find_code(placement_codes, name);
+}
 
 }  // namespace scenefile

@@ -33,14 +33,14 @@ class LightIds {
     }
     const Subject subject{"light", light.location, node};
     if (*light.id < 0 || static_cast<std::size_t>(*light.id) > highest_) {
-      reporter.report(light_id_range, subject, Field::id,
+      reporter.report("light.id-range"_code, subject, Field::id,
                       fmt::format("id {} of a light is not between 0 and 7", *light.id));
     }
     const auto [first, added] = first_.emplace(*light.id, light.location);
     if (!added) {
       const std::string where =
           first->second.known() ? fmt::format(" (line {})", first->second.line) : "";
-      reporter.report(light_duplicate_id, subject, Field::id,
+      reporter.report("light.duplicate-id"_code, subject, Field::id,
                       fmt::format("id {} belongs to an earlier light{} too", *light.id, where));
     }
   }
@@ -106,7 +106,7 @@ bool Reporter::finite(const Subject& subject, Field field, std::string_view name
   if (scenefile::finite(value)) {
     return true;
   }
-  report(scene_not_finite, subject, field,
+  report("scene.not-finite"_code, subject, field,
          fmt::format("{} of the {} is not a finite number", name, subject.what));
   return false;
 }

@@ -22,7 +22,7 @@ void check_coefficient(const ValueRow<Global>& row, float value, const Subject& 
                        Reporter& reporter) {
   if (reporter.finite(global, *row.field, row.xml, value) && !row.range.contains(value)) {
     const bool negative = value < row.range.low;
-    reporter.report(negative ? global_negative : global_huge, global, *row.field,
+    reporter.report(negative ? "global.negative"_code : "global.huge"_code, global, *row.field,
                     fmt::format("{} {} is {}", row.xml, number_text(value),
                                 negative ? "negative" : "far above 1"));
   }
@@ -34,11 +34,11 @@ void check_directions(const Camera& camera, const Subject& subject, Reporter& re
   const bool look_zero = look_finite && camera.look == glm::vec3(0);
   const bool up_zero = up_finite && camera.up == glm::vec3(0);
   if (look_zero) {
-    reporter.report(camera_look_zero, subject, Field::look,
+    reporter.report("camera.look-zero"_code, subject, Field::look,
                     "look of the camera is 0 0 0, which is not a direction");
   }
   if (up_zero) {
-    reporter.report(camera_up_zero, subject, Field::up,
+    reporter.report("camera.up-zero"_code, subject, Field::up,
                     "up of the camera is 0 0 0, which is not a direction");
   }
   if (!look_finite || !up_finite || look_zero || up_zero) {
@@ -49,8 +49,8 @@ void check_directions(const Camera& camera, const Subject& subject, Reporter& re
   const double sine = glm::length(glm::cross(look, up));
   if (sine < nearly_parallel) {
     reporter.report(
-        sine < parallel ? camera_up_parallel_to_look : camera_up_nearly_parallel, subject,
-        Field::up,
+        sine < parallel ? "camera.up-parallel-to-look"_code : "camera.up-nearly-parallel"_code,
+        subject, Field::up,
         fmt::format("up {} of the camera is {}parallel to look {}", vector_text(camera.up),
                     sine < parallel ? "" : "nearly ", vector_text(camera.look)));
   }
@@ -64,17 +64,17 @@ void check_lens(const Camera& camera, const Subject& subject, Reporter& reporter
     return;
   }
   if (camera.aperture < 0) {
-    reporter.report(camera_lens_negative, subject, Field::aperture,
+    reporter.report("camera.lens-negative"_code, subject, Field::aperture,
                     fmt::format("aperture {} is negative; it counts as 0, a pinhole",
                                 number_text(camera.aperture)));
   }
   if (camera.focal_length < 0) {
-    reporter.report(camera_lens_negative, subject, Field::focal_length,
+    reporter.report("camera.lens-negative"_code, subject, Field::focal_length,
                     fmt::format("focallength {} is negative; it counts as 0, a pinhole",
                                 number_text(camera.focal_length)));
   }
   if (camera.aperture > 0 && camera.focal_length == 0) {
-    reporter.report(camera_lens_incomplete, subject, Field::aperture,
+    reporter.report("camera.lens-incomplete"_code, subject, Field::aperture,
                     fmt::format("aperture {} has no effect without a focallength",
                                 number_text(camera.aperture)));
   }
@@ -96,14 +96,14 @@ void check_camera(const Camera& camera, Reporter& reporter) {
   const Subject subject{"camera", camera.location, no_node, camera.unread};
   if (reporter.finite(subject, Field::position, "pos", camera.position) &&
       largest(glm::abs(camera.position)) > far_away) {
-    reporter.report(camera_far_away, subject, Field::position,
+    reporter.report("camera.far-away"_code, subject, Field::position,
                     fmt::format("pos {} of the camera is too far from the origin to draw from",
                                 vector_text(camera.position)));
   }
   check_directions(camera, subject, reporter);
   if (!camera.unread.contains(Field::height_angle_deg) &&
       !row_of(camera_rows, Field::height_angle_deg).range.contains(camera.height_angle_deg)) {
-    reporter.report(camera_height_angle, subject, Field::height_angle_deg,
+    reporter.report("camera.height-angle"_code, subject, Field::height_angle_deg,
                     fmt::format("heightangle {} is not between 0 and 180 degrees",
                                 number_text(camera.height_angle_deg)));
   }

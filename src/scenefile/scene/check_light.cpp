@@ -24,12 +24,12 @@ void check_color(const Light& light, const Subject& subject, Reporter& reporter)
   }
   if (smallest(light.color) < 0) {
     reporter.report(
-        light_color_negative, subject, Field::color,
+        "light.color-negative"_code, subject, Field::color,
         fmt::format("color {} of the {} is negative", vector_text(light.color), subject.what));
   }
   if (largest(light.color) > (fades(light) ? ranges::light_color.high : huge_steady_color)) {
     reporter.report(
-        light_color_huge, subject, Field::color,
+        "light.color-huge"_code, subject, Field::color,
         fmt::format("color {} of the {} is far above 1{}", vector_text(light.color), subject.what,
                     largest(light.color) <= 255 ? "; did you mean a value out of 255?" : ""));
   }
@@ -41,12 +41,12 @@ void check_attenuation(const Light& light, const Subject& subject, Reporter& rep
     return;
   }
   if (light.attenuation == glm::vec3(0)) {
-    reporter.report(light_function_zero, subject, Field::attenuation,
+    reporter.report("light.function-zero"_code, subject, Field::attenuation,
                     fmt::format("function (JSON attenuationCoeff) 0 0 0 of the {} divides by zero; "
                                 "it counts as 1 0 0",
                                 subject.what));
   } else if (smallest(light.attenuation) < 0) {
-    reporter.report(light_function_negative, subject, Field::attenuation,
+    reporter.report("light.function-negative"_code, subject, Field::attenuation,
                     fmt::format("function (JSON attenuationCoeff) {} of the {} has a negative "
                                 "coefficient; it counts as 0",
                                 vector_text(light.attenuation), subject.what));
@@ -56,7 +56,7 @@ void check_attenuation(const Light& light, const Subject& subject, Reporter& rep
 void check_direction(const Light& light, const Subject& subject, Reporter& reporter) {
   if (reporter.finite(subject, Field::direction, "direction", light.direction) &&
       light.direction == glm::vec3(0)) {
-    reporter.report(light_direction_zero, subject, Field::direction,
+    reporter.report("light.direction-zero"_code, subject, Field::direction,
                     fmt::format("the {} needs a direction other than 0 0 0", subject.what));
   }
 }
@@ -67,12 +67,12 @@ void check_angle(const Light& light, const Subject& subject, Reporter& reporter)
     return;
   }
   if (!row_of(light_rows, Field::angle_deg).range.contains(angle)) {
-    reporter.report(light_angle_range, subject, Field::angle_deg,
+    reporter.report("light.angle-range"_code, subject, Field::angle_deg,
                     fmt::format("angle {} of the spotlight is not between 0 and 180 degrees{}",
                                 number_text(angle), angle <= 0 ? "; it lights nothing" : ""));
   } else if (light.penumbra_deg > angle) {
     reporter.report(
-        light_penumbra_over_angle, subject, Field::penumbra_deg,
+        "light.penumbra-over-angle"_code, subject, Field::penumbra_deg,
         fmt::format("penumbra {} of the spotlight is larger than its angle {}; it counts as {}",
                     number_text(light.penumbra_deg), number_text(angle), number_text(angle)));
   }
@@ -83,14 +83,14 @@ void check_cone(const Light& light, const Subject& subject, Reporter& reporter) 
     return;
   }
   if (light.penumbra_deg < 0) {
-    reporter.report(light_penumbra_negative, subject, Field::penumbra_deg,
+    reporter.report("light.penumbra-negative"_code, subject, Field::penumbra_deg,
                     fmt::format("penumbra {} of the spotlight is negative; it counts as 0",
                                 number_text(light.penumbra_deg)));
   }
   if (light.angle_deg) {
     check_angle(light, subject, reporter);
   } else if (!light.unread.contains(Field::angle_deg)) {
-    reporter.report(light_spot_without_angle, subject,
+    reporter.report("light.spot-without-angle"_code, subject,
                     light.penumbra_deg > 0
                         ? fmt::format("the spotlight has no angle; penumbra {} counts as its "
                                       "half-angle",
@@ -103,7 +103,7 @@ void check_rectangle(const Light& light, const Subject& subject, Reporter& repor
   if (reporter.finite(subject, Field::width, "width", light.width) &&
       reporter.finite(subject, Field::height, "height", light.height) &&
       (light.width <= 0 || light.height <= 0)) {
-    reporter.report(light_area_without_size, subject,
+    reporter.report("light.area-without-size"_code, subject,
                     light.width <= 0 ? Field::width : Field::height,
                     fmt::format("width {} and height {} of the area light enclose no area",
                                 number_text(light.width), number_text(light.height)));

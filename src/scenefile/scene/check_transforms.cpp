@@ -35,7 +35,8 @@ class TransformCheck {
       return false;
     }
     if (r.axis == glm::vec3(0)) {
-      reporter_.report(transform_axis_zero, subject_, "rotate has the axis 0 0 0 and does nothing");
+      reporter_.report("transform.axis-zero"_code, subject_,
+                       "rotate has the axis 0 0 0 and does nothing");
     }
     return true;
   }
@@ -64,7 +65,7 @@ class TransformCheck {
       return;
     }
     const bool transposed = glm::vec3(m[3]) == glm::vec3(0) && m[3].w == 1;
-    reporter_.report(transform_matrix_projective, subject_,
+    reporter_.report("transform.matrix-projective"_code, subject_,
                      fmt::format("the last row of the matrix is {} {}, not 0 0 0 1{}",
                                  vector_text(row), number_text(m[3].w),
                                  transposed ? "; is it transposed, with its translation in the row?"
@@ -92,12 +93,12 @@ class TransformCheck {
     }
     if (const std::string_view extent = extent_text(map.linear); !extent.empty()) {
       reporter_.report(
-          transform_degenerate, subject_,
+          "transform.degenerate"_code, subject_,
           fmt::format("{} is too {} for single precision; objects inside it are not drawn", what(),
                       extent));
       return false;
     }
-    reporter_.report(transform_flat, subject_,
+    reporter_.report("transform.flat"_code, subject_,
                      fmt::format("{} leaves no volume; objects inside it are not drawn", what()));
     return false;
   }
@@ -120,7 +121,7 @@ class TransformCheck {
     if (scenefile::finite(value)) {
       return true;
     }
-    reporter_.report(scene_not_finite, subject_,
+    reporter_.report("scene.not-finite"_code, subject_,
                      fmt::format("{} contains a number that is not finite", name));
     return false;
   }
@@ -147,7 +148,7 @@ Way checked_way(const Scene& scene, NodeId id, const Way& above, Reporter& repor
   }
   const bool draws = !node.primitives.empty() || !node.instance_of.empty();
   if (draws && !way.flat && !storable(way.map)) {
-    reporter.report(transform_degenerate, {"node", node.location, id},
+    reporter.report("transform.degenerate"_code, {"node", node.location, id},
                     "the transforms of this object, multiplied, are too large, too small or flat; "
                     "it is not drawn");
   }

@@ -32,14 +32,14 @@ void check_names(const Scene& scene, const TemplateNames& names, Reporter& repor
     }
     const std::string& name = scene.nodes[id].name;
     if (name.empty()) {
-      reporter.report(tree_template_without_name, subject_of(scene, id),
+      reporter.report("tree.template-without-name"_code, subject_of(scene, id),
                       "a template needs a name, by which it is used");
       continue;
     }
     const std::uint32_t first = names.at(name);
     if (first != i) {
       const Location place = scene.nodes[scene.templates[first]].location;
-      reporter.report(tree_duplicate_template, subject_of(scene, id),
+      reporter.report("tree.duplicate-template"_code, subject_of(scene, id),
                       fmt::format("the name {} belongs to an earlier template{} too", quoted(name),
                                   place.known() ? fmt::format(" (line {})", place.line) : ""));
     }
@@ -76,13 +76,13 @@ bool check_instances(const Scene& scene, const TemplateNames& names,
       const std::string_view near = suggest && node.instance_of != "root"
                                         ? nearest_name(node.instance_of, known)
                                         : std::string_view();
-      reporter.report(tree_unknown_template, subject_of(scene, id), Field::instance_of,
+      reporter.report("tree.unknown-template"_code, subject_of(scene, id), Field::instance_of,
                       unknown_text(node.instance_of, near),
                       correction(node.instance_of, near, known));
     }
     if (!node.primitives.empty() || !node.lights.empty() || !node.children.empty()) {
       reporter.report(
-          tree_instance_with_contents, subject_of(scene, id),
+          "tree.instance-with-contents"_code, subject_of(scene, id),
           fmt::format("contents inside an instance of {} are ignored", quoted(node.instance_of)));
     }
   }
@@ -110,7 +110,7 @@ bool check_loops(const Scene& scene, const TemplateGraph& graph, Reporter& repor
   const auto loop = [&](std::span<const std::uint32_t> way, std::uint32_t edge) {
     found = true;
     reporter.report(
-        tree_loop, subject_of(scene, graph.use_node[edge]), Field::instance_of,
+        "tree.loop"_code, subject_of(scene, graph.use_node[edge]), Field::instance_of,
         fmt::format("template {} contains itself: {}",
                     quoted(scene.nodes[graph.heads[way[0]]].name), loop_text(scene, graph, way)));
   };
@@ -137,7 +137,8 @@ void check_order(const Scene& scene, const TemplateGraph& graph, Reporter& repor
       }
       const Node& used = scene.nodes[graph.heads[target]];
       reporter.report(
-          tree_used_before_declared, subject_of(scene, graph.use_node[edge]), Field::instance_of,
+          "tree.used-before-declared"_code, subject_of(scene, graph.use_node[edge]),
+          Field::instance_of,
           fmt::format("template {} is used before it is declared{}", quoted(used.name),
                       used.location.known() ? fmt::format(" (line {})", used.location.line) : ""));
     }
@@ -194,12 +195,12 @@ Contents contents_of(const Scene& scene, const TemplateGraph& graph,
 void check_light_count(double lights, const Contents& contents, const Limits& limits,
                        Reporter& reporter) {
   if (lights > limits.lights) {
-    reporter.report(light_count_limit, contents.last_light,
+    reporter.report("light.count-limit"_code, contents.last_light,
                     fmt::format("the scene has {:.15g} lights, more than the limit of {}", lights,
                                 limits.lights));
   } else if (lights > lights_of_the_format) {
     reporter.report(
-        light_many, contents.last_light,
+        "light.many"_code, contents.last_light,
         fmt::format("the scene has {:.15g} lights, more than the 8 of the format", lights));
   }
 }
@@ -212,20 +213,20 @@ void check_totals(const Scene& scene, const TemplateGraph& graph, const Contents
   check_light_count(lights, contents, limits, reporter);
   const bool empty = totals(graph.uses, contents.primitives).back() == 0;
   if (empty && complete) {
-    reporter.report(scene_empty, whole, "the scene is empty: there is no object to draw");
+    reporter.report("scene.empty"_code, whole, "the scene is empty: there is no object to draw");
   } else if (!empty && totals(graph.uses, contents.shining).back() == 0) {
-    reporter.report(scene_no_light, whole,
+    reporter.report("scene.no-light"_code, whole,
                     lights == 0 ? "the scene has no light" : "all lights of the scene are black");
   }
   const std::uint32_t nesting = heights(graph.uses).back();
   if (nesting > limits.instance_nesting) {
-    reporter.report(tree_nesting_limit, whole,
+    reporter.report("tree.nesting-limit"_code, whole,
                     fmt::format("templates are nested {} deep, more than the limit of {}", nesting,
                                 limits.instance_nesting));
   }
   if (contents.transparent != nullptr && !scene.global.transparent &&
       !scene.global.unread.contains(Field::transparent)) {
-    reporter.report(global_transparent_default,
+    reporter.report("global.transparent-default"_code,
                     {"primitive", contents.transparent->location, contents.transparent_node},
                     Field::transparent,
                     fmt::format("the {} is transparent, but the file gives no transparentcoeff; "
@@ -239,7 +240,7 @@ void check_unused(const Scene& scene, const TemplateGraph& graph, const std::vec
   for (std::uint32_t tree = 0; tree < graph.root(); ++tree) {
     const NodeId head = graph.heads[tree];
     if (!used[tree] && head < scene.nodes.size() && !scene.nodes[head].name.empty()) {
-      reporter.report(tree_unused_template, subject_of(scene, head),
+      reporter.report("tree.unused-template"_code, subject_of(scene, head),
                       fmt::format("template {} is never used", quoted(scene.nodes[head].name)));
     }
   }
@@ -254,10 +255,10 @@ void check_structure(const Scene& scene, Reporter& reporter) {
     const Subject subject = holder == no_node ? Subject{"scene", {}} : subject_of(scene, holder);
     if (id >= scene.nodes.size()) {
       reporter.report(
-          scene_bad_index, subject,
+          "scene.bad-index"_code, subject,
           fmt::format("{} is node {}, but there are only {} nodes", what, id, scene.nodes.size()));
     } else if (seen[id]) {
-      reporter.report(scene_shared_node, subject,
+      reporter.report("scene.shared-node"_code, subject,
                       fmt::format("{} is node {}, which is already part of the scene", what, id));
     } else {
       seen[id] = true;

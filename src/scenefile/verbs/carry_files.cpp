@@ -50,7 +50,7 @@ class Carrier {
     std::string relative = path_from(folder_, here.path);
     if (there_.resolve(relative).path == here.path) {
       scene_.diagnostics.report(
-          convert_file_renamed, location,
+          "convert.file-renamed"_code, location,
           fmt::format("{} is written as {}, so that it is found from the output's folder",
                       quoted(name, 400), quoted(relative, 400)));
       return relative;
@@ -59,7 +59,7 @@ class Carrier {
       return name;
     }
     scene_.diagnostics.report(
-        convert_file_left_behind, location,
+        "convert.file-left-behind"_code, location,
         fmt::format("{} {} from the folder of the output; it is {}: copy it there, or give "
                     "--asset-root whenever the output is used",
                     quoted(name, 400), there.error.empty() ? "is another file" : "is not found",

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -18,24 +19,13 @@ namespace scenefile {
 namespace {
 
 std::vector<const Code*> collect() {
-  // One per line, to avoid merge conflicts.
-  // clang-format off
-  std::vector<const Code*> codes{
-      &convert_comments,
-      &convert_file_left_behind,
-      &convert_file_renamed,
-      &gl_copies_left_out,
-      &gl_not_drawn,
-      &gl_shadows_left_out,
-      &realtime_light_skipped,
-      &realtime_no_light,
-      &realtime_not_drawn,
-      &render_no_directional_light,
-  };
-  // clang-format on
-  for (const auto& room : {format_codes(), scene_codes(), asset_codes(), view_codes(),
-                           export_codes(), import_codes()}) {
-    codes.insert(codes.end(), room.begin(), room.end());
+  std::vector<const Code*> codes;
+  for (const std::span<const Code> room : std::initializer_list<std::span<const Code>>{
+           asset_codes, export_codes, format_codes, import_codes, placement_codes, scene_codes,
+           verbs_codes, view_codes}) {
+    for (const Code& code : room) {
+      codes.push_back(&code);
+    }
   }
   std::sort(codes.begin(), codes.end(),
             [](const Code* a, const Code* b) { return a->name < b->name; });

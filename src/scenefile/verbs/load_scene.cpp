@@ -97,7 +97,7 @@ void load_written(LoadedScene& scene, const FetchFile& fetch, const LoadSettings
     enter(settings, "loading textures and meshes");
     load_files(scene, fetch, settings);
     if (has_emissive_faces(scene.assets)) {
-      drop(scene_no_light, scene.diagnostics);
+      drop("scene.no-light"_code, scene.diagnostics);
     }
   }
 }
@@ -129,17 +129,17 @@ void check_picture(LoadedScene& scene, const RenderOptions& options) {
   ask(scene, question);
   if (lit_by_faces_only(scene) && (options.mode == Mode::ray || options.mode == Mode::intersect)) {
     scene.diagnostics.report(
-        scene_no_light, {},
+        "scene.no-light"_code, {},
         "the scene has no light but the faces of meshes that emit light (Ke in their .mtl file), "
         "which only --mode path draws");
   }
   if (dark_in_caster(options, scene.ready.scene)) {
     scene.diagnostics.report(
-        render_no_directional_light, {},
+        "render.no-directional-light"_code, {},
         "the scene has no directional light, and the course's ray caster uses no other");
   }
   if (!guesses_transparency(options)) {
-    drop(global_transparent_default, scene.diagnostics);
+    drop("global.transparent-default"_code, scene.diagnostics);
   }
 }
 

@@ -76,19 +76,19 @@ void check_realtime(const RealtimeOptions& options, LoadedScene& scene) {
   for (const SkippedLight& light : report.skipped_lights) {
     const bool in_action = has_light(Milestone::action, light.type);
     scene.diagnostics.report(
-        realtime_light_skipped, light.location,
+        "realtime.light-skipped"_code, light.location,
         fmt::format("the milestone {} has no {} lights: this one is not used{}", milestone,
                     word_of(light.type), in_action ? "; --milestone action has them" : ""));
   }
   if (report.lights == 0 && !report.skipped_lights.empty()) {
-    scene.diagnostics.report(realtime_no_light, {},
+    scene.diagnostics.report("realtime.no-light"_code, {},
                              fmt::format("none of the scene's lights is used in the milestone {}: "
                                          "the picture shows ambient light only",
                                          milestone));
   }
   if (const auto missing = features_not_drawn(scene.ready.scene); !missing.empty()) {
     scene.diagnostics.report(
-        realtime_not_drawn, {},
+        "realtime.not-drawn"_code, {},
         fmt::format("the scene has features that the assignment Realtime does not draw: {}",
                     fmt::join(missing, ", ")));
   }

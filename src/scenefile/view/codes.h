@@ -1,23 +1,27 @@
 #pragma once
 // Findings of drawing with OpenGL.
 
-#include "scenefile/base/diagnostics.h"
+#include "scenefile/base/code.h"
 
 namespace scenefile {
 
-inline constexpr Code gl_copies_left_out{
-    "gl.copies-left-out", Severity::warning, "more instances than OpenGL draws",
-    "Templates are expanded for OpenGL, so instances take memory and time; the smallest objects "
-    "are not drawn, or, if all have the same size, those at the end of the scene. The ray tracer "
-    "(render without --engine gl) draws all of them."};
-inline constexpr Code gl_not_drawn{
-    "gl.not-drawn", Severity::note, "effects that only the ray tracer draws",
-    "OpenGL draws only what the camera sees directly. Mirrors have no reflection, light goes "
-    "straight through glass, and the lens is a pinhole; render without --engine gl draws them."};
-inline constexpr Code gl_shadows_left_out{
-    "gl.shadows-left-out", Severity::warning, "more lights than OpenGL draws shadows for",
-    "There is room for 96 shadow maps: one for a directional light or a spotlight, six for a point "
-    "or area light. The remaining lights at the end of the file cast no shadows; render without "
-    "--engine gl draws them all."};
+inline constexpr Code view_codes[] = {
+    {"gl.copies-left-out", Severity::warning, "more instances than OpenGL draws",
+     "Templates are expanded for OpenGL, so instances take memory and time; the smallest objects "
+     "are not drawn, or, if all have the same size, those at the end of the scene. The ray tracer "
+     "(render without --engine gl) draws all of them."},
+    {"gl.not-drawn", Severity::note, "effects that only the ray tracer draws",
+     "OpenGL draws only what the camera sees directly. Mirrors have no reflection, light goes "
+     "straight through glass, and the lens is a pinhole; render without --engine gl draws them."},
+    {"gl.shadows-left-out", Severity::warning, "more lights than OpenGL draws shadows for",
+     "There is room for 96 shadow maps: one for a directional light or a spotlight, six for a "
+     "point or area light. The remaining lights at the end of the file cast no shadows; render "
+     "without --engine gl draws them all."},
+};
+
+template <CodeName name>
+consteval const Code& operator""_code() requires(find_code(view_codes, name) != nullptr) {
+  return *find_code(view_codes, name);
+}
 
 }  // namespace scenefile

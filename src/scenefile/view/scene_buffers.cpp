@@ -91,7 +91,7 @@ void report_left_out(const RenderScene& scene, const ExpandedScene& expanded,
                      Diagnostics& diagnostics) {
   if (!expanded.complete) {
     diagnostics.report(
-        gl_copies_left_out, {},
+        "gl.copies-left-out"_code, {},
         fmt::format("the scene has {:.4g} objects after instancing, OpenGL draws "
                     "the {} {}; the ray tracer draws them all",
                     count_virtual_primitives(scene), expanded.largest ? "largest" : "first",
@@ -115,7 +115,7 @@ void report_not_drawn(const RenderScene& scene, Diagnostics& diagnostics) {
   }
   if (!missing.empty()) {
     diagnostics.report(
-        gl_not_drawn, {},
+        "gl.not-drawn"_code, {},
         fmt::format("the scene has features that OpenGL leaves out: {}", fmt::join(missing, ", ")));
   }
 }

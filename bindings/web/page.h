@@ -8,16 +8,18 @@
 #include "scenefile/io/file.h"
 #include "scenefile/path/path_scene.h"
 #include "scenefile/path/path_state.h"
+#include "scenefile/trace/features.h"
 #include "scenefile/trace/trace_scene.h"
 #include "scenefile/verbs/load_file.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -92,18 +94,16 @@ inline LoadSettings load_settings(LoadDepth depth, bool compat_course, bool mate
   return settings;
 }
 
-// The options of the page's picture. `features`: one bit each, in the order of Features, or -1 for
-// the profile's defaults.
+// The options of the page's picture. `features`: one bit each, in the order of feature_words(), or
+// -1 for the profile's defaults.
 inline RenderOptions picture_options(int profile, int mode, int features, int width, int height,
                                      int samples, int max_depth) {
   RenderOptions options = default_options(static_cast<Profile>(profile));
   options.mode = static_cast<Mode>(mode);
   if (features >= 0) {
-    Features& on = options.features;
-    bool* const flags[] = {&on.shadows,        &on.reflect,      &on.refract,     &on.texture,
-                           &on.texture_filter, &on.super_sample, &on.depthoffield};
-    for (std::size_t i = 0; i < std::size(flags); ++i) {
-      *flags[i] = ((features >> i) & 1) != 0;
+    const std::span<const std::string_view> words = feature_words();
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      *find_feature(options.features, words[i]) = ((features >> i) & 1) != 0;
     }
   }
   options.width = width;

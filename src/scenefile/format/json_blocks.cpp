@@ -2,9 +2,9 @@
 
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
+#include "scenefile/format/block.h"
 #include "scenefile/format/codes.h"
 #include "scenefile/format/foreign_names.h"
-#include "scenefile/format/read_common.h"
 
 #include <fmt/format.h>
 
@@ -17,57 +17,22 @@ namespace scenefile {
 
 namespace {
 
-// An object whose values are read, and where findings about them are stored.
-struct ObjectReader {
-  JsonContext& context;
-  const JsonFields& fields;
-  Location owner;
-  FieldSet& unread;
-  Scene& scene;
-
-  // Reads the value of a row into its member, which keeps its default after an error. The caller
-  // handles textures.
-  template <typename Owner>
-  void read(std::size_t key, const ValueRow<Owner>& row, Owner& to) const {
-    if (!fields.has(key)) {
-      return;
+// Reads the values of a block except the direction of view; reports those that it must have.
+template <typename Owner, std::size_t N>
+void read_rows(JsonContext& context, const JsonFields& fields, const ValueRow<Owner> (&rows)[N],
+               const Block<Owner>& block) {
+  for (std::size_t i = 0; i < N; ++i) {
+    const std::size_t key = key_of(rows, i);
+    if (rows[i].json.empty()) {
+      continue;
     }
-    const auto store = [&](const auto member, const auto& value) {
-      if (value) {
-        to.*member = *value;
-      } else {
-        unread.insert(*row.field);
-      }
-    };
-    bool worth_a_place = row.field.has_value();
-    if (const auto* const number = std::get_if<float Owner::*>(&row.member)) {
-      store(*number, number_value(context, fields.key(key)));
-    } else if (const auto* const maybe = std::get_if<std::optional<float> Owner::*>(&row.member)) {
-      store(*maybe, number_value(context, fields.key(key)));
-    } else if (const auto* const text = std::get_if<std::string Owner::*>(&row.member)) {
-      to.** text = text_value(context, fields.key(key), context.limits.name_bytes).value_or("");
-    } else if (const auto* const vector = std::get_if<glm::vec3 Owner::*>(&row.member)) {
-      store(*vector, read_three(key, row.kind));
-      if constexpr (std::is_same_v<Owner, Material>) {
-        worth_a_place = needs_place(*row.field, to.**vector);
-      }
-    }
-    if (worth_a_place) {
-      note(key, *row.field);
+    if (is_needed(rows[i].need, false) && !fields.require(key)) {
+      block.unread.insert(*rows[i].field);
+    } else if (rows[i].has_member() && rows[i].field != Field::look && fields.has(key)) {
+      block.read(rows[i], JsonValue{context, fields.key(key)});
     }
   }
-  template <typename Owner, std::size_t N>
-  void read(const ValueRow<Owner> (&rows)[N], Field field, Owner& to) const {
-    read(key_of(rows, field), row_of(rows, field), to);
-  }
-  std::optional<glm::vec3> read_three(std::size_t key, ValueKind kind) const {
-    const JsonIndex at = fields.key(key);
-    return kind == ValueKind::color ? color_value(context, at) : vector_value(context, at);
-  }
-  void note(std::size_t key, Field field) const {
-    scene.field_places.push_back({owner, field, context.place(fields.key(key))});
-  }
-};
+}
 
 bool is_object(JsonContext& context, JsonIndex item, std::string_view what) {
   if (context.tape.is_object(item)) {
@@ -158,41 +123,26 @@ constexpr JsonVocabulary vocabulary{"globalData", names};
 namespace camera {
 constexpr auto names = keys_of<key_of(camera_rows, std::size(camera_rows))>(camera_rows);
 constexpr JsonVocabulary vocabulary{"cameraData", names};
-constexpr std::size_t look = key_of(camera_rows, Field::look);
-constexpr std::size_t focus = look + 1;
-static_assert(names[focus] == "focus");
+constexpr std::size_t look = key_of(camera_rows, look_row);
+constexpr std::size_t focus = key_of(camera_rows, focus_row);
 
-void read_required(const ObjectReader& reader, Field field, Camera& camera) {
-  if (reader.fields.require(key_of(camera_rows, field))) {
-    reader.read(camera_rows, field, camera);
-  } else {
-    reader.unread.insert(field);
-  }
-}
-
-// A focus is a point to look at; the scene only has directions.
-void read_direction(const ObjectReader& reader, JsonIndex object, Camera& camera) {
-  JsonContext& context = reader.context;
-  const JsonFields& fields = reader.fields;
+void read_direction(JsonContext& context, const JsonFields& fields, JsonIndex object,
+                    const Block<Camera>& block) {
   if (fields.has(look) && fields.has(focus)) {
     const JsonIndex second = std::max(fields.key(look), fields.key(focus));
     context.report("json.look-and-focus"_code, second,
                    "cameraData has both \"look\" and \"focus\"; remove one of them");
-    reader.unread.insert(Field::look);
+    block.unread.insert(Field::look);
   } else if (fields.has(focus)) {
-    const std::optional<glm::vec3> point = reader.read_three(focus, ValueKind::vector);
-    if (point && !reader.unread.contains(Field::position)) {
-      camera.look = direction_to(*point, camera.position);
-    } else {
-      reader.unread.insert(Field::look);
-    }
-    reader.note(focus, Field::look);
+    glm::vec3 point;
+    read_focus(block, JsonValue{context, fields.key(focus)}, point);
+    look_at(point, block.values);
   } else if (fields.has(look)) {
-    reader.read(camera_rows, Field::look, camera);
+    block.read(camera_rows[look_row], JsonValue{context, fields.key(look)});
   } else {
     context.report("json.missing-key"_code, object,
                    "cameraData must have one of the keys \"look\" and \"focus\"");
-    reader.unread.insert(Field::look);
+    block.unread.insert(Field::look);
   }
 }
 }  // namespace camera
@@ -221,33 +171,43 @@ std::optional<std::size_t> read_kind(JsonContext& context, const JsonFields& fie
   return std::nullopt;
 }
 
-void report_unused_keys(JsonContext& context, const JsonFields& fields, LightType kind) {
-  const std::string why = fmt::format("on a {} light", word_of(kind));
-  for (std::size_t i = 0; i < std::size(light_rows); ++i) {
-    if (!light_rows[i].json.empty() && !light_rows[i].used_by_type(kind)) {
-      report_unused(context, fields, key_of(light_rows, i), why);
-    }
-  }
-}
-
-void report_default(JsonContext& context, const JsonFields& fields, JsonIndex item, Field field,
-                    LightType kind, std::string_view value) {
-  const std::size_t key = key_of(light_rows, field);
-  if (!fields.has(key)) {
+// check() handles a missing direction, angle or size.
+void report_missing(JsonContext& context, const JsonFields& fields, JsonIndex item, LightType kind,
+                    Field field) {
+  const auto report = [&](std::string_view value) {
     context.report("json.light-default"_code, item,
                    fmt::format("a {} light must have the key \"{}\"; {} is used", word_of(kind),
-                               names[key], value));
+                               row_of(light_rows, field).json, value));
+  };
+  if (field == Field::color) {
+    fields.require(color);
+  } else if (field == Field::attenuation) {
+    report("1 0 0 (no falloff)");
+  } else if (field == Field::penumbra_deg) {
+    report("0 (a hard edge)");
   }
 }
 
-// check() handles a missing direction or angle.
-void require_keys(JsonContext& context, const JsonFields& fields, JsonIndex item, LightType kind) {
-  fields.require(color);
-  if (course_json_has(kind) && light_uses(kind, Field::attenuation)) {
-    report_default(context, fields, item, Field::attenuation, kind, "1 0 0 (no falloff)");
-  }
-  if (light_uses(kind, Field::penumbra_deg)) {
-    report_default(context, fields, item, Field::penumbra_deg, kind, "0 (a hard edge)");
+void read_values(JsonContext& context, const JsonFields& fields, JsonIndex item, Light& light,
+                 Scene& scene) {
+  const Block<Light> block{light, light.unread, light.location, scene};
+  for (std::size_t i = 0; i < std::size(light_rows); ++i) {
+    const ValueRow<Light>& row = light_rows[i];
+    const std::size_t key = key_of(light_rows, i);
+    if (row.json.empty() || !row.has_member()) {
+      continue;
+    }
+    if (!fields.has(key)) {
+      if (light_needs(light.type, row, false)) {
+        report_missing(context, fields, item, light.type, *row.field);
+      }
+    } else if (!row.used_by_type(light.type)) {
+      report_unused(context, fields, key, fmt::format("on a {} light", word_of(light.type)));
+    } else if (row.kind == ValueKind::text) {
+      light.name = text_value(context, fields.key(key), context.limits.name_bytes).value_or("");
+    } else {
+      block.read(row, JsonValue{context, fields.key(key)});
+    }
   }
 }
 }  // namespace light
@@ -297,20 +257,23 @@ Rare<TextureUse> read_texture(JsonContext& context, const JsonFields& fields, st
                     read_repeat(context, fields, v), context.place(fields.key(file))};
 }
 
-void read_material(const ObjectReader& reader, Material& material) {
+void read_material(JsonContext& context, const JsonFields& fields, Primitive& primitive,
+                   Scene& scene) {
+  Material& material = primitive.material;
+  const Block<Material> block{material, primitive.unread, primitive.location, scene};
   for (std::size_t i = 0; i < std::size(material_rows); ++i) {
     const ValueRow<Material>& row = material_rows[i];
     const std::size_t key = first_of_material + key_of(material_rows, i);
     const auto* const texture = std::get_if<Rare<TextureUse> Material::*>(&row.member);
     if (texture == nullptr) {
-      if (row.has_member()) {
-        reader.read(key, row, material);
+      if (row.has_member() && fields.has(key)) {
+        block.read(row, JsonValue{context, fields.key(key)});
       }
       continue;
     }
-    material.** texture = read_texture(reader.context, reader.fields, key);
-    if (*texture == &Material::texture && reader.fields.has(key) && !material.texture) {
-      reader.unread.insert(Field::blend);  // unknown whether there is a texture to blend
+    material.** texture = read_texture(context, fields, key);
+    if (*texture == &Material::texture && fields.has(key) && !material.texture) {
+      primitive.unread.insert(Field::blend);  // unknown whether there is a texture to blend
     }
   }
 }
@@ -322,15 +285,10 @@ void read_json_global(JsonContext& context, JsonIndex key, Scene& scene) {
   if (!is_object_value(context, key)) {
     return;
   }
-  const JsonFields fields(context, key + 1, global::vocabulary);
-  scene.global.location = context.place(key);
-  const ObjectReader reader{context, fields, scene.global.location, scene.global.unread, scene};
-  fields.require(key_of(global_rows, Field::ambient));
-  fields.require(key_of(global_rows, Field::diffuse));
-  fields.require(key_of(global_rows, Field::specular));
-  for (const ValueRow<Global>& row : global_rows) {
-    reader.read(global_rows, *row.field, scene.global);
-  }
+  Global& global = scene.global;
+  global.location = context.place(key);
+  read_rows(context, JsonFields(context, key + 1, global::vocabulary), global_rows,
+            Block<Global>{global, global.unread, global.location, scene});
 }
 
 void read_json_camera(JsonContext& context, JsonIndex key, Scene& scene) {
@@ -340,13 +298,9 @@ void read_json_camera(JsonContext& context, JsonIndex key, Scene& scene) {
   const JsonFields fields(context, key + 1, camera::vocabulary);
   Camera& camera = scene.camera.emplace();
   camera.location = context.place(key);
-  const ObjectReader reader{context, fields, camera.location, camera.unread, scene};
-  camera::read_required(reader, Field::position, camera);
-  camera::read_required(reader, Field::up, camera);
-  camera::read_required(reader, Field::height_angle_deg, camera);
-  camera::read_direction(reader, key + 1, camera);
-  reader.read(camera_rows, Field::aperture, camera);
-  reader.read(camera_rows, Field::focal_length, camera);
+  const Block<Camera> block{camera, camera.unread, camera.location, scene};
+  read_rows(context, fields, camera_rows, block);
+  camera::read_direction(context, fields, key + 1, block);
 }
 
 std::optional<Light> read_json_light(JsonContext& context, JsonIndex item, Scene& scene) {
@@ -365,15 +319,7 @@ std::optional<Light> read_json_light(JsonContext& context, JsonIndex item, Scene
     context.report("json.area-light"_code, fields.key(light::type),
                    "the course's JSON reader does not support area lights and rejects the file");
   }
-  light::require_keys(context, fields, item, light.type);
-  light::report_unused_keys(context, fields, light.type);
-  const ObjectReader reader{context, fields, light.location, light.unread, scene};
-  for (std::size_t i = 0; i < std::size(light_rows); ++i) {
-    const ValueRow<Light>& row = light_rows[i];
-    if (!row.json.empty() && row.has_member() && row.used_by_type(light.type)) {
-      reader.read(key_of(light_rows, i), row, light);
-    }
-  }
+  light::read_values(context, fields, item, light, scene);
   return light;
 }
 
@@ -390,8 +336,7 @@ std::optional<Primitive> read_json_primitive(JsonContext& context, JsonIndex ite
   Primitive primitive;
   primitive.shape = static_cast<Shape>(*type);
   primitive.location = context.place(item);
-  const ObjectReader reader{context, fields, primitive.location, primitive.unread, scene};
-  primitive::read_material(reader, primitive.material);
+  primitive::read_material(context, fields, primitive, scene);
   if (primitive.shape != Shape::mesh) {
     report_unused(context, fields, primitive::mesh_file, "on any primitive but a mesh");
   } else if (fields.has(primitive::mesh_file)) {

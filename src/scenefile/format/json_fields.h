@@ -132,6 +132,25 @@ std::optional<std::string> text_value(JsonContext& context, JsonIndex key, std::
 /// A point or direction.
 std::optional<glm::vec3> vector_value(JsonContext& context, JsonIndex key);
 std::optional<glm::vec3> color_value(JsonContext& context, JsonIndex key);
+/// The value of a key, for Block.
+struct JsonValue {
+  JsonContext& context;
+  JsonIndex key;
+
+  Location place() const { return context.place(key); }
+  bool number(float& number) const { return store(number_value(context, key), number); }
+  bool three(ValueKind kind, glm::vec3& value) const {
+    return store(kind == ValueKind::color ? color_value(context, key) : vector_value(context, key),
+                 value);
+  }
+
+ private:
+  template <typename T>
+  static bool store(const std::optional<T>& from, T& to) {
+    to = from.value_or(to);
+    return from.has_value();
+  }
+};
 /// x, y, z, and the angle in degrees.
 std::optional<glm::vec4> rotation_value(JsonContext& context, JsonIndex key);
 std::optional<glm::mat4> matrix_value(JsonContext& context, JsonIndex key);

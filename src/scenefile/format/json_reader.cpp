@@ -6,7 +6,7 @@
 #include "scenefile/format/json_fields.h"
 #include "scenefile/format/json_parser.h"
 #include "scenefile/format/json_syntax.h"
-#include "scenefile/format/read_common.h"
+#include "scenefile/format/reserve_nodes.h"
 #include "scenefile/scene/vocabulary.h"
 
 #include <fmt/format.h>

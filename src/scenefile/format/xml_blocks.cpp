@@ -3,9 +3,9 @@
 #include "scenefile/base/number.h"
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
+#include "scenefile/format/block.h"
 #include "scenefile/format/codes.h"
 #include "scenefile/format/foreign_names.h"
-#include "scenefile/format/read_common.h"
 #include "scenefile/format/xml_values.h"
 
 #include <fmt/format.h>
@@ -17,6 +17,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -29,61 +30,41 @@ namespace {
 constexpr auto global_names = names_of<count_names(global_rows)>(global_rows);
 constexpr auto camera_names = names_of<count_names(camera_rows)>(camera_rows);
 
-// The second row with Field::look: the point to look at.
-constexpr std::size_t focus_row = 2;
-static_assert(camera_rows[focus_row].xml == "focus");
-
-Location place_of(const CameraDraft& draft, Field field) {
-  return draft.seen.place(index_of(camera_rows, field));
-}
-
-void report_default(const XmlContext& context, const CameraDraft& draft, std::string_view part,
-                    std::string_view value) {
-  context.diagnostics.report(
-      "xml.camera-default"_code, draft.camera.location,
-      fmt::format("<cameradata> has no {}; the default {} is used", part, value));
-}
-
+// Reports the values that count because the file does not give them.
 void report_defaults(const XmlContext& context, const CameraDraft& draft) {
-  if (!place_of(draft, Field::position).known()) {
-    report_default(context, draft, "<pos>", "5 5 5");
-  }
-  if (!place_of(draft, Field::look).known() && !draft.seen.has(focus_row)) {
-    report_default(context, draft, "<look> or <focus>", "look -1 -1 -1");
-  }
-  if (!place_of(draft, Field::up).known()) {
-    report_default(context, draft, "<up>", "0 1 0");
-  }
-  if (!place_of(draft, Field::height_angle_deg).known()) {
-    report_default(context, draft, "<heightangle>", "45");
+  for (std::size_t i = 0; i < std::size(camera_rows); ++i) {
+    const ValueRow<Camera>& row = camera_rows[i];
+    const bool is_look = i == look_row;
+    const bool given = draft.seen.has(i) || (is_look && draft.seen.has(focus_row));
+    if (!given && (is_look || is_needed(row.need, true))) {
+      context.diagnostics.report("xml.camera-default"_code, draft.camera.location,
+                                 fmt::format("<cameradata> has no {}; the default {}{} is used",
+                                             is_look ? "<look> or <focus>" : element_text(row.xml),
+                                             is_look ? "look " : "", row.words.start));
+    }
   }
 }
 
-// A focus is a point to look at; the scene only has directions.
-void resolve_focus(const XmlContext& context, CameraDraft& draft) {
-  const Location look = place_of(draft, Field::look);
+void resolve_direction(const XmlContext& context, CameraDraft& draft) {
+  Camera& camera = draft.camera;
+  const Location look = draft.seen.place(look_row);
   const Location focus = draft.seen.place(focus_row);
-  if (!focus.known()) {
-    return;
-  }
-  draft.seen.set_unread(index_of(camera_rows, Field::look), true);  // until the direction is known
-  if (look.known()) {
-    const bool focus_last =
-        focus.line > look.line || (focus.line == look.line && focus.column > look.column);
+  if (look.known() && focus.known()) {
+    const bool focus_last = std::tie(look.line, look.column) < std::tie(focus.line, focus.column);
     context.diagnostics.report(
         "xml.look-and-focus"_code, focus_last ? focus : look,
         fmt::format("<cameradata> has both <look> and <focus>; the other one is at line {}",
                     (focus_last ? look : focus).line));
-  } else if (draft.focus && !draft.seen.unread(index_of(camera_rows, Field::position))) {
-    const glm::vec3 direction = direction_to(*draft.focus, draft.camera.position);
-    if (direction == glm::vec3(0)) {
+    camera.unread.insert(Field::look);
+  } else if (focus.known()) {
+    look_at(draft.focus, camera);
+    if (camera.look == glm::vec3(0)) {
       context.diagnostics.report(
           "xml.focus-at-position"_code, focus,
           "<focus> is the position of the camera itself, so there is no direction to look in");
-      return;
+      camera.unread.insert(Field::look);
+      camera.look = Camera().look;
     }
-    draft.camera.look = direction;
-    draft.seen.set_unread(index_of(camera_rows, Field::look), false);
   }
 }
 
@@ -107,28 +88,26 @@ bool read_global(const XmlContext& context, const XmlTag& tag, SeenFields& seen,
     return false;
   }
   seen.note(context, tag, *field);
-  read_value(context, tag, global_rows, *field, seen, scene.global);
-  scene.field_places.push_back({scene.global.location, *global_rows[*field].field, tag.location});
+  Global& global = scene.global;
+  const Block<Global> block{global, global.unread, global.location, scene};
+  block.read(global_rows[*field], XmlValue{context, tag});
   return true;
 }
 
-void finish_globals(const SeenFields& seen, Scene& scene) {
-  scene.global.unread = unread_fields(global_rows, seen);
-}
-
-bool read_camera_part(const XmlContext& context, const XmlTag& tag, CameraDraft& draft) {
+bool read_camera_part(const XmlContext& context, const XmlTag& tag, CameraDraft& draft,
+                      Scene& scene) {
   const std::optional<std::size_t> field = find_field(context, tag, camera_names, "cameradata");
   if (!field) {
     return false;
   }
   draft.seen.note(context, tag, *field);
   const ValueRow<Camera>& row = camera_rows[*field];
+  Camera& camera = draft.camera;
+  const Block<Camera> block{camera, camera.unread, camera.location, scene};
   if (*field == focus_row) {
-    if (!read_three(context, tag, row.kind, draft.focus.emplace())) {
-      draft.focus.reset();
-    }
+    read_focus(block, XmlValue{context, tag}, draft.focus);
   } else if (row.has_member()) {
-    read_value(context, tag, camera_rows, *field, draft.seen, draft.camera);
+    block.read(row, XmlValue{context, tag});
   } else {
     report_aspect_ratio(context, tag);
   }
@@ -137,14 +116,12 @@ bool read_camera_part(const XmlContext& context, const XmlTag& tag, CameraDraft&
 
 void finish_camera(const XmlContext& context, CameraDraft& draft, Scene& scene) {
   report_defaults(context, draft);
-  resolve_focus(context, draft);
+  resolve_direction(context, draft);
   if (scene.camera) {
     context.diagnostics.report("xml.second-camera"_code, draft.camera.location,
                                fmt::format("a second <cameradata>, after line {}; this one counts",
                                            scene.camera->location.line));
   }
-  add_places(camera_rows, draft.seen, draft.camera.location, scene);
-  draft.camera.unread = unread_fields(camera_rows, draft.seen);
   scene.camera = draft.camera;
 }
 
@@ -259,14 +236,18 @@ LightDraft begin_light(const XmlContext& context, const XmlTag& tag) {
   return draft;
 }
 
-bool read_light_part(const XmlContext& context, const XmlTag& tag, LightDraft& draft) {
+bool read_light_part(const XmlContext& context, const XmlTag& tag, LightDraft& draft,
+                     Scene& scene) {
   const std::optional<std::size_t> field = find_field(context, tag, light_names, "lightdata");
   if (!field) {
     return false;
   }
   draft.seen.note(context, tag, *field);
   const ValueRow<Light>& row = light_rows[*field];
+  const XmlValue value{context, tag};
+  const Block<Light> block{draft.light, draft.light.unread, draft.light.location, scene};
   if (row.kind == ValueKind::id) {
+    block.note(Field::id, value);
     if (const std::optional<std::string_view> word = read_word(context, tag)) {
       read_id(context, tag.location, *word, draft.light);
     }
@@ -280,7 +261,7 @@ bool read_light_part(const XmlContext& context, const XmlTag& tag, LightDraft& d
     context.report("xml.ignored-element"_code, tag,
                    fmt::format("<{}> of a light has no effect", row.xml));
   } else {
-    read_value(context, tag, light_rows, *field, draft.seen, draft.light);
+    block.read(row, value);
   }
   return true;
 }
@@ -293,8 +274,6 @@ void finish_light(const XmlContext& context, LightDraft& draft, Scene& scene) {
   if (!light_uses(draft.light.type, Field::position) && !has(draft, Field::position)) {
     draft.light.position = glm::vec3(0);
   }
-  add_places(light_rows, draft.seen, draft.light.location, scene);
-  draft.light.unread = unread_fields(light_rows, draft.seen);
   scene.nodes[scene.root].lights.push_back(std::move(draft.light));
 }
 
@@ -305,46 +284,28 @@ namespace {
 constexpr auto material_names = names_of<count_names(material_rows)>(material_rows);
 constexpr std::size_t blend_row = index_of(material_rows, Field::blend);
 
-struct Writer {
-  const XmlContext& context;
-  const XmlTag& tag;
-  SeenFields& seen;
-  Primitive& primitive;
-  Scene& scene;
-
-  // Reads a number or a color.
-  void value(std::size_t field) const {
-    const ValueRow<Material>& row = material_rows[field];
-    Material& material = primitive.material;
-    read_value(context, tag, material_rows, field, seen, material);
-    const auto* const color = std::get_if<glm::vec3 Material::*>(&row.member);
-    if (color == nullptr || needs_place(*row.field, material.**color)) {
-      scene.field_places.push_back({primitive.location, *row.field, tag.location});
-    }
-  }
-};
-
 bool is_blend_name(std::string_view name) {
   return name == "blend" || name == "float" || name == "value" || name == "val" || name == "n";
 }
 
 // Reads `blend` as a bare attribute of a texture, as sketched in the format's documentation.
-void read_bare_blend(const Writer& to, const XmlAttribute& attribute, bool is_texture) {
+void read_bare_blend(const XmlValue& from, const XmlAttribute& attribute, bool is_texture,
+                     PrimitiveDraft& draft, Primitive& primitive) {
   const std::string name = escaped(attribute.name, 40);
   if (!is_texture) {
-    to.context.report("xml.texture-blend"_code, attribute,
-                      fmt::format("attribute {} of <bumpmap> has no effect: a bump map is not "
-                                  "blended",
-                                  name));
+    from.context.report("xml.texture-blend"_code, attribute,
+                        fmt::format("attribute {} of <bumpmap> has no effect: a bump map is not "
+                                    "blended",
+                                    name));
     return;
   }
-  to.context.report("xml.texture-blend"_code, attribute,
-                    fmt::format("attribute {} of <texture> was read as <blend>", name));
+  from.context.report("xml.texture-blend"_code, attribute,
+                      fmt::format("attribute {} of <texture> was read as <blend>", name));
   float blend = 0;
-  const bool known = read_number(to.context, to.tag, attribute, blend);
-  if (!to.seen.has(blend_row)) {
-    to.primitive.material.blend = blend;
-    to.seen.set_unread(blend_row, !known);
+  const bool known = read_number(from.context, from.tag, attribute, blend);
+  if (!draft.seen.has(blend_row)) {
+    primitive.material.blend = blend;
+    primitive.unread.set(Field::blend, !known);
   }
 }
 
@@ -358,26 +319,28 @@ bool name_fits(const XmlContext& context, const XmlTag& tag, const XmlAttribute&
   return false;
 }
 
-Rare<TextureUse> read_texture(const Writer& to, bool is_texture) {
+Rare<TextureUse> read_texture(const XmlValue& from, bool is_texture, PrimitiveDraft& draft,
+                              Primitive& primitive) {
   constexpr std::string_view known[] = {"file", "u", "v"};
-  const XmlAttribute* file = find_image_file(to.context, to.tag);
-  if (file == nullptr || !name_fits(to.context, to.tag, *file)) {
+  const XmlAttribute* file = find_image_file(from.context, from.tag);
+  if (file == nullptr || !name_fits(from.context, from.tag, *file)) {
     return {};
   }
-  const std::array<const XmlAttribute*, 3> in_order = {file, to.tag.find("u"), to.tag.find("v")};
-  report_order(to.context, to.tag, in_order);
-  TextureUse texture{std::string(file->value), 1, 1, to.tag.location};
-  for (const XmlAttribute& attribute : to.tag.attributes) {
+  const std::array<const XmlAttribute*, 3> in_order = {file, from.tag.find("u"),
+                                                       from.tag.find("v")};
+  report_order(from.context, from.tag, in_order);
+  TextureUse texture{std::string(file->value), 1, 1, from.tag.location};
+  for (const XmlAttribute& attribute : from.tag.attributes) {
     if (&attribute == file) {
       continue;
     }
     if (attribute.name == "u" || attribute.name == "v") {
       float& repeat = attribute.name == "u" ? texture.repeat_u : texture.repeat_v;
-      repeat = read_number(to.context, to.tag, attribute, repeat) ? repeat : 1;
+      repeat = read_number(from.context, from.tag, attribute, repeat) ? repeat : 1;
     } else if (is_blend_name(attribute.name)) {
-      read_bare_blend(to, attribute, is_texture);
+      read_bare_blend(from, attribute, is_texture, draft, primitive);
     } else {
-      report_unknown_attribute(to.context, to.tag, attribute, known);
+      report_unknown_attribute(from.context, from.tag, attribute, known);
     }
   }
   return texture;
@@ -415,14 +378,15 @@ bool read_primitive_part(const XmlContext& context, const XmlTag& tag, Primitive
   }
   draft.seen.note(context, tag, *field);
   Primitive& primitive = scene.nodes[draft.node].primitives.back();
-  const Writer to{context, tag, draft.seen, primitive, scene};
+  const XmlValue value{context, tag};
   const ValueRow<Material>& row = material_rows[*field];
   if (const auto* const texture = std::get_if<Rare<TextureUse> Material::*>(&row.member)) {
     const bool is_texture = *texture == &Material::texture;
-    primitive.material.** texture = read_texture(to, is_texture);
+    primitive.material.** texture = read_texture(value, is_texture, draft, primitive);
     draft.texture_known = is_texture ? primitive.material.texture.has_value() : draft.texture_known;
   } else if (row.has_member()) {
-    to.value(*field);
+    const Block<Material> block{primitive.material, primitive.unread, primitive.location, scene};
+    block.read(row, value);
   } else {
     context.report("xml.ignored-element"_code, tag,
                    fmt::format("<{}> has no effect: objects do not shine", row.xml));
@@ -433,9 +397,8 @@ bool read_primitive_part(const XmlContext& context, const XmlTag& tag, Primitive
 void finish_primitive(PrimitiveDraft& draft, Scene& scene) {
   if (!draft.texture_known) {
     // Unknown whether there is a texture to blend.
-    draft.seen.set_unread(blend_row, true);
+    scene.nodes[draft.node].primitives.back().unread.insert(Field::blend);
   }
-  scene.nodes[draft.node].primitives.back().unread = unread_fields(material_rows, draft.seen);
 }
 
 // The tags of objects.

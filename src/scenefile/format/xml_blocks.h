@@ -42,12 +42,13 @@ bool read_global(const XmlContext& context, const XmlTag& tag, SeenFields& seen,
 /// A camera while it is read.
 struct CameraDraft {
   Camera camera;
-  std::optional<glm::vec3> focus;
+  glm::vec3 focus{0};
   SeenFields seen;
 };
 
 /// Reads a child of <cameradata>. Returns false to skip it with its contents.
-bool read_camera_part(const XmlContext& context, const XmlTag& tag, CameraDraft& draft);
+bool read_camera_part(const XmlContext& context, const XmlTag& tag, CameraDraft& draft,
+                      Scene& scene);
 /// Called at the end of <cameradata>: adds the camera to the scene.
 void finish_camera(const XmlContext& context, CameraDraft& draft, Scene& scene);
 
@@ -61,7 +62,7 @@ struct LightDraft {
 /// Called at <lightdata>; `type` and `id` may be attributes.
 LightDraft begin_light(const XmlContext& context, const XmlTag& tag);
 /// Reads a child of <lightdata>. Returns false to skip it with its contents.
-bool read_light_part(const XmlContext& context, const XmlTag& tag, LightDraft& draft);
+bool read_light_part(const XmlContext& context, const XmlTag& tag, LightDraft& draft, Scene& scene);
 /// Called at the end of <lightdata>: adds the light to the root.
 void finish_light(const XmlContext& context, LightDraft& draft, Scene& scene);
 
@@ -82,9 +83,6 @@ bool read_primitive_part(const XmlContext& context, const XmlTag& tag, Primitive
 
 /// Called at the end of a primitive.
 void finish_primitive(PrimitiveDraft& draft, Scene& scene);
-
-/// Called at the end of the file: lists the values of all <globaldata> that could not be read.
-void finish_globals(const SeenFields& seen, Scene& scene);
 
 /// Each of these returns nullopt if there is nothing to apply, after an error or a warning.
 std::optional<Transform> read_translate(const XmlContext& context, const XmlTag& tag);

@@ -2,7 +2,7 @@
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
 #include "scenefile/format/dialects.h"
-#include "scenefile/format/read_common.h"
+#include "scenefile/format/reserve_nodes.h"
 #include "scenefile/format/xml_blocks.h"
 #include "scenefile/format/xml_fields.h"
 #include "scenefile/format/xml_reader.h"
@@ -199,7 +199,6 @@ Scene SceneBuilder::finish(bool complete) {
   if (in_primitive) {
     scene_.nodes[primitive_.node].primitives.pop_back();
   }
-  finish_globals(globals_, scene_);
   if (complete && !lost_tree_) {
     references_.resolve(context_, scene_, scenefile_);
   } else {
@@ -218,9 +217,9 @@ bool SceneBuilder::open(const XmlTag& tag) {
     case Block::globals:
       return open_leaf(tag, read_global(context_, tag, globals_, scene_));
     case Block::camera:
-      return open_leaf(tag, read_camera_part(context_, tag, camera_));
+      return open_leaf(tag, read_camera_part(context_, tag, camera_, scene_));
     case Block::light:
-      return open_leaf(tag, read_light_part(context_, tag, light_));
+      return open_leaf(tag, read_light_part(context_, tag, light_, scene_));
     case Block::primitive:
       return open_leaf(tag, read_primitive_part(context_, tag, primitive_, scene_));
     case Block::matrix:
@@ -300,7 +299,7 @@ bool SceneBuilder::open_globals(const XmlTag& tag) {
                     fmt::format("a second <globaldata>, after line {}; its values count",
                                 scene_.global.location.line));
   }
-  globals_.forget_places();
+  globals_ = {};
   scene_.global.location = tag.location;
   return push(Block::globals, 0, tag.name);
 }

@@ -60,6 +60,9 @@ class FieldSet {
     }
   }
   constexpr void insert(Field field) { bits_ |= bit(field); }
+  constexpr void set(Field field, bool contained) {
+    bits_ = contained ? bits_ | bit(field) : bits_ & ~bit(field);
+  }
   constexpr bool contains(Field field) const { return (bits_ & bit(field)) != 0; }
   friend constexpr bool operator==(const FieldSet&, const FieldSet&) = default;
 

@@ -215,7 +215,8 @@ TEST(Fix, CompatCourseKeepsThePrefixThatItReads) {
 
 TEST(Fix, OneFindingAtATime) {
   const std::string text = xml_with(R"(<object type="master" name="chiar"/>)");
-  for (const Diagnostic& d : findings_of(text).list()) {
+  const Diagnostics findings = findings_of(text);
+  for (const Diagnostic& d : findings.list()) {
     if (d.code == &"tree.unknown-template"_code) {
       const std::optional<Edit> edit = fix(text, d);
       ASSERT_TRUE(edit);
@@ -231,6 +232,33 @@ TEST(Fix, OneFindingAtATime) {
       EXPECT_FALSE(fix(text, other));
     }
   }
+}
+
+// The text with the corrections of the findings of that code.
+std::string corrected(const std::string& text, const Code& code) {
+  const Diagnostics findings = findings_of(text);
+  for (const Diagnostic& d : findings.list()) {
+    if (const std::optional<Edit> edit = d.code == &code ? fix(text, d) : std::nullopt) {
+      return applied(text, *edit);
+    }
+  }
+  return text;
+}
+
+TEST(Fix, WritesAttributesForAWord) {
+  EXPECT_EQ(corrected(xml_with("<object type='sphere'/>"), "xml.unknown-object-type"_code),
+            xml_with(R"(<object type="primitive" name="sphere"/>)"));
+  const std::string named = xml_with("<object type='sphere' name='ball'/>");
+  EXPECT_EQ(corrected(named, "xml.unknown-object-type"_code), named);
+  EXPECT_EQ(
+      corrected(xml_with("<Cone><diffuse r='1' g='1' b='1'/></Cone>"), "xml.unknown-element"_code),
+      xml_with(R"(<object type="primitive" name="cone"><diffuse r='1' g='1' b='1'/></object>)"));
+}
+
+TEST(Fix, TheWordMayBeAtAnotherPlace) {
+  EXPECT_EQ(corrected("<scenefile>\n<object type='tree' name='scene'/>\n</scenefile>",
+                      "xml.no-root"_code),
+            "<scenefile>\n<object type='tree' name='root'/>\n</scenefile>");
 }
 
 TEST(UnifiedDiff, ShowsWhatChanges) {

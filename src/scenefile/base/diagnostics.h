@@ -22,9 +22,11 @@ struct Correction {
   /// the key and its value, or of the value that begins at the place of the finding.
   std::string written;
   /// Without escapes. The same as `written` if only its quotes or escapes are wrong; empty to
-  /// remove it. Several attributes, as in `x="1" y="2"`, replace the one that is named `written`.
+  /// remove it. Several attributes, as in `x="1" y="2"`, replace the one that is named `written`;
+  /// the name of an element may be followed by attributes.
   std::string instead;
   bool certain = true;  ///< false if another word is as likely, or the author has to choose
+  Location place{};     ///< of the tag with the word, if it is not at the place of the finding
 };
 
 /// One finding.

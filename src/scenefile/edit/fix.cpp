@@ -135,7 +135,8 @@ class XmlFixer {
       depth -= token.kind == XmlTokenKind::end ? 1 : 0;
     }
     if (token.kind == XmlTokenKind::end && token.name == written_) {
-      changes.push_back(change_of(offset(token.name), token.name.size(), instead_));
+      changes.push_back(
+          change_of(offset(token.name), token.name.size(), instead_.substr(0, instead_.find(' '))));
     }
     return changes;
   }
@@ -208,7 +209,8 @@ std::optional<Edit> edit_of(const FileText& file, const Diagnostic& finding) {
   if (!finding.correction || !finding.file.empty()) {
     return std::nullopt;
   }
-  const std::optional<std::size_t> at = file.offset(finding.location);
+  const Location place = finding.correction->place;
+  const std::optional<std::size_t> at = file.offset(place.known() ? place : finding.location);
   if (!at || *at >= file.text().size()) {
     return std::nullopt;
   }

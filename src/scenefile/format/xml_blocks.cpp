@@ -23,6 +23,34 @@
 
 namespace scenefile {
 
+namespace {
+
+// The index of the word, ignoring case; names.size() if there is none.
+template <std::size_t N>
+std::size_t index_of(const std::array<std::string_view, N>& names, std::string_view word) {
+  std::size_t i = 0;
+  while (i < N && !equal_ignoring_case(names[i], word)) {
+    ++i;
+  }
+  return i;
+}
+
+// Likewise; reports a word in other letter case, which no program of the course accepts. `place` is
+// called for that: most scenes have many words and no such finding.
+template <std::size_t N, typename Place>
+std::size_t find_word(const XmlContext& context, Place place, std::string_view what,
+                      const std::array<std::string_view, N>& names, std::string_view word) {
+  const std::size_t i = index_of(names, word);
+  if (i < N && word != names[i]) {
+    context.diagnostics.report("xml.name-case"_code, place(),
+                               fmt::format("{} {} was read as {}", what, quoted(word), names[i]),
+                               correction(word, names[i]));
+  }
+  return i;
+}
+
+}  // namespace
+
 // Global data and the camera.
 
 namespace {
@@ -137,31 +165,21 @@ bool has(const LightDraft& draft, Field field) {
 
 void read_type(const XmlContext& context, Location place, std::string_view word,
                LightDraft& draft) {
-  for (std::size_t i = 0; i < light_words.size(); ++i) {
-    if (!equal_ignoring_case(word, light_words[i])) {
-      continue;
-    }
-    draft.light.type = static_cast<LightType>(i);
-    if (word != light_words[i]) {
-      context.diagnostics.report(
-          "xml.name-case"_code, place,
-          fmt::format("light type {} was read as {}", quoted(word), light_words[i]),
-          correction(word, light_words[i]));
-    }
-    return;
+  std::size_t i = find_word(
+      context, [&] { return place; }, "light type", light_words, word);
+  if (i == light_words.size()) {
+    const std::string_view usual = translated_name(word, light_words);
+    const std::string_view near = usual.empty() ? nearest_name(word, light_words) : usual;
+    context.diagnostics.report(
+        "xml.light-type"_code, place,
+        fmt::format("unknown light type {}{}", quoted(word),
+                    near.empty() ? "; the types are point, directional, spot and area"
+                                 : did_you_mean(near)),
+        correction(word, near, usual.empty() ? light_words : std::span<const std::string_view>()));
+    draft.type_known = !near.empty();
+    i = near.empty() ? static_cast<std::size_t>(LightType::point) : index_of(light_words, near);
   }
-  const std::string_view usual = translated_name(word, light_words);
-  const std::string_view near = usual.empty() ? nearest_name(word, light_words) : usual;
-  const auto meant = std::find(light_words.begin(), light_words.end(), near);
-  draft.type_known = meant != light_words.end();
-  draft.light.type =
-      draft.type_known ? static_cast<LightType>(meant - light_words.begin()) : LightType::point;
-  context.diagnostics.report(
-      "xml.light-type"_code, place,
-      fmt::format(
-          "unknown light type {}{}", quoted(word),
-          near.empty() ? "; the types are point, directional, spot and area" : did_you_mean(near)),
-      correction(word, near, usual.empty() ? light_words : std::span<const std::string_view>()));
+  draft.light.type = static_cast<LightType>(i);
 }
 
 void read_id(const XmlContext& context, Location place, std::string_view word, Light& light) {
@@ -192,21 +210,20 @@ void report_unused(const XmlContext& context, const LightDraft& draft) {
 void report_defaults(const XmlContext& context, const LightDraft& draft) {
   const LightType type = draft.light.type;
   const auto missing = [&](Field field, std::string_view value) {
-    if (!has(draft, field)) {
+    const ValueRow<Light>& row = row_of(light_rows, field);
+    if (light_needs(type, row, true) && !has(draft, field)) {
       context.diagnostics.report("xml.light-default"_code, draft.light.location,
                                  fmt::format("the {} light has no <{}>; the default {} is used",
-                                             word_of(type), row_of(light_rows, field).xml, value));
+                                             word_of(type), row.xml, value));
     }
   };
-  if (light_uses(type, Field::position)) {
-    missing(Field::position, "3 3 3");
-  }
+  missing(Field::position, "3 3 3");
   missing(Field::color, "1 1 1");
   if (!has(draft, Field::id) && !draft.light.id) {
     context.diagnostics.report("xml.light-id"_code, draft.light.location,
                                "the light has no <id>; give each light a number from 0 to 7");
   }
-  if (light_uses(type, Field::penumbra_deg) && has(draft, Field::angle_deg)) {
+  if (has(draft, Field::angle_deg)) {
     missing(Field::penumbra_deg, "0");
   }
 }
@@ -407,52 +424,37 @@ namespace {
 
 constexpr std::array<std::string_view, 3> type_names = {"tree", "master", "primitive"};
 
-// The index of the name, ignoring case; names.size() if there is none.
-template <std::size_t N>
-std::size_t index_of(const std::array<std::string_view, N>& names, std::string_view word) {
-  std::size_t i = 0;
-  while (i < N && !equal_ignoring_case(names[i], word)) {
-    ++i;
-  }
-  return i;
-}
-
-void report_case(const XmlContext& context, const XmlAttribute& attribute,
-                 std::string_view canonical) {
-  if (attribute.value != canonical) {
-    context.report(
-        "xml.name-case"_code, attribute,
-        fmt::format("{} {} was read as {}", attribute.name, quoted(attribute.value), canonical),
-        correction(attribute.value, canonical));
-  }
-}
-
-std::optional<ObjectType> read_type(const XmlContext& context, const XmlAttribute& attribute) {
-  const std::size_t i = index_of(type_names, attribute.value);
+std::optional<ObjectType> read_type(const XmlContext& context, const XmlAttribute& attribute,
+                                    bool has_name) {
+  const std::size_t i = find_word(
+      context, [&] { return context.place(attribute); }, attribute.name, type_names,
+      attribute.value);
   if (i < type_names.size()) {
-    report_case(context, attribute, type_names[i]);
     return static_cast<ObjectType>(i);
   }
-  const std::string_view near = nearest_name(attribute.value, type_names);
   const std::string type = quoted(attribute.value);
-  const std::size_t shape = index_of(shape_words, attribute.value);
-  if (near.empty()) {
-    const std::string_view usual = translated_name(attribute.value, type_names);
-    const std::string hint =
-        shape == shape_words.size()
-            ? did_you_mean(usual)
-            : fmt::format("; write type=\"primitive\" name=\"{}\"", shape_words[shape]);
-    context.report(
-        "xml.unknown-object-type"_code, attribute,
-        fmt::format("object type {} is not part of the format, so the object was ignored{}", type,
-                    hint),
-        correction(attribute.value, shape == shape_words.size() ? usual : std::string_view()));
-  } else {
+  const std::string_view near = nearest_name(attribute.value, type_names);
+  if (!near.empty()) {
     context.report("xml.object-type"_code, attribute,
                    fmt::format("unknown object type {}{}", type, did_you_mean(near)),
                    correction(attribute.value, near, type_names));
     return static_cast<ObjectType>(index_of(type_names, near));
   }
+  const std::string_view usual = translated_name(attribute.value, type_names);
+  std::string hint = did_you_mean(usual);
+  std::optional<Correction> better = correction(attribute.value, usual);
+  if (const std::size_t shape = index_of(shape_words, attribute.value);
+      shape != shape_words.size()) {
+    const std::string primitive = fmt::format("type=\"primitive\" name=\"{}\"", shape_words[shape]);
+    hint = "; write " + primitive;
+    better =
+        has_name ? std::nullopt : std::optional(Correction{std::string(attribute.name), primitive});
+  }
+  context.report(
+      "xml.unknown-object-type"_code, attribute,
+      fmt::format("object type {} is not part of the format, so the object was ignored{}", type,
+                  hint),
+      std::move(better));
   return std::nullopt;
 }
 
@@ -598,7 +600,7 @@ std::optional<ObjectTag> read_object_tag(const XmlContext& context, const XmlTag
   }
   const std::array<const XmlAttribute*, 3> in_order = {found.type, found.name, found.filename};
   report_order(context, tag, in_order);
-  const std::optional<ObjectType> type = read_type(context, *found.type);
+  const std::optional<ObjectType> type = read_type(context, *found.type, found.name != nullptr);
   if (!type || !name_fits(context, found.name) || !name_fits(context, found.filename)) {
     return std::nullopt;
   }
@@ -629,7 +631,8 @@ std::optional<Shape> read_shape(const XmlContext& context, const XmlTag& tag,
                     fmt::join(shape_words, ", ")));
     return std::nullopt;
   }
-  std::size_t i = index_of(shape_words, object.name);
+  std::size_t i = find_word(
+      context, [&] { return object.name_place; }, "name", shape_words, object.name);
   if (i == shape_words.size()) {
     const std::string_view near = nearest_name(object.name, shape_words);
     const std::string shape = quoted(object.name);
@@ -646,11 +649,6 @@ std::optional<Shape> read_shape(const XmlContext& context, const XmlTag& tag,
                                fmt::format("unknown shape {}{}", shape, did_you_mean(near)),
                                correction(object.name, near, shape_words));
     i = index_of(shape_words, near);
-  } else if (object.name != shape_words[i]) {
-    context.diagnostics.report(
-        "xml.name-case"_code, object.name_place,
-        fmt::format("name {} was read as {}", quoted(object.name), shape_words[i]),
-        correction(object.name, shape_words[i]));
   }
   const auto shape = static_cast<Shape>(i);
   if (shape == Shape::mesh && object.filename.empty()) {

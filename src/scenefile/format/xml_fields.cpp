@@ -102,10 +102,11 @@ void report_unknown_element(const XmlContext& context, const XmlTag& tag, std::s
       std::find_if(std::begin(shape_words), std::end(shape_words),
                    [&](std::string_view word) { return equal_ignoring_case(word, tag.name); });
   if (shape != std::end(shape_words)) {
+    const std::string object = fmt::format("object type=\"primitive\" name=\"{}\"", *shape);
     context.report("xml.unknown-element"_code, tag,
-                   fmt::format("unknown element {} in {}; it was ignored: write <object "
-                               "type=\"primitive\" name=\"{}\"/>",
-                               element_text(tag.name), where, *shape));
+                   fmt::format("unknown element {} in {}; it was ignored: write <{}/>",
+                               element_text(tag.name), where, object),
+                   Correction{std::string(tag.name), object, block == "transblock"});
     return;
   }
   const std::string_view near = nearest_field(tag.name, names);

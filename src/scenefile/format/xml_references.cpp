@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace scenefile {
@@ -165,12 +166,14 @@ void XmlReferences::resolve_root(const XmlContext& context, Scene& scene,
     templates.erase(found);
     return;
   }
-  const std::string hint =
-      templates.size() == 1
-          ? fmt::format("; did you mean {}?", quoted(scene.nodes[templates[0]].name))
-          : std::string();
-  context.diagnostics.report("xml.no-root"_code, scenefile,
-                             "the scene has no tree named root, so the picture is empty" + hint);
+  std::string message = "the scene has no tree named root, so the picture is empty";
+  std::optional<Correction> only;
+  if (templates.size() == 1) {
+    const std::string name = scene.nodes[templates[0]].name;
+    message += did_you_mean(quoted(name));
+    only = Correction{name, "root", false, declared_.at(name)};
+  }
+  context.diagnostics.report("xml.no-root"_code, scenefile, std::move(message), std::move(only));
 }
 
 }  // namespace scenefile

@@ -59,13 +59,15 @@ std::string text_of(const Transform& transform) {
   return text_of(transform.location) + " " + std::visit(Of{}, transform.map);
 }
 
+// Of several places for a value the last one counts, as for the value itself.
 std::string place_of(const Scene& scene, Location owner, Field field) {
+  std::string last;
   for (const FieldPlace& place : scene.field_places) {
     if (place.owner == owner && place.field == field) {
-      return fmt::format(" ({})", text_of(place.location));
+      last = fmt::format(" ({})", text_of(place.location));
     }
   }
-  return {};
+  return last;
 }
 
 // `4:18 cube: shininess 20 (5:3), ior unread (5:24)`, of the members of `values`.

@@ -93,6 +93,14 @@ struct EditingTest : testing::SessionFixture {
   }
 };
 
+// It takes as long as opening the scene, and keeps the window waiting.
+TEST_F(EditingTest, ASceneIsReadForEditingOnceSomethingIsSelected) {
+  EXPECT_FALSE(session.editing.document);
+  select_label("cube");
+  EXPECT_TRUE(selected_item(session));
+  EXPECT_TRUE(session.editing.document);
+}
+
 TEST_F(EditingTest, ADragIsOneStepAndShownAtOnce) {
   select_label("sphere");
   for (const char* const value : {"0.9", "0.5", "0.25"}) {

@@ -155,10 +155,12 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "shadows, reflections or textures. The ray tracer may be right.",
      "The settings of your program, and which folder of references belongs to them."},
     {Cause::samples, "Combining the samples of a pixel",
-     "A black line around objects, everything too bright, or the whole picture blurred.",
+     "A black line around objects, everything too bright, the whole picture blurred, or, in Path, "
+     "noise that repeats from pixel to pixel.",
      "A pixel is the mean of its samples; a sample that hits nothing is black, and counts like the "
-     "others.",
-     "Where the samples of a pixel are added, and what is done when a ray hits nothing."},
+     "others. Random numbers differ from pixel to pixel.",
+     "Where the samples of a pixel are added, what is done when a ray hits nothing, and where the "
+     "random numbers are seeded."},
     {Cause::scene_edited, "Another scene file",
      "An object, a light or the camera is elsewhere, or has another color, size or angle; all else "
      "follows from that: shadows, highlights, reflections.",
@@ -218,11 +220,11 @@ constexpr std::array<CauseHelp, cause_count> pages{{
     {Cause::scattering, "Scattered directions (Path)",
      "Indirect light is too bright or too dark, by a factor for each bounce, or at grazing angles, "
      "or has the wrong color.",
-     "A path is multiplied by the BSDF and the cosine, and divided by the density of the "
-     "direction. "
-     "Diffuse surfaces have Kd / pi; with directions distributed by the cosine, what remains is "
-     "Kd.",
-     "The function that chooses a direction, the density that belongs to it, and 1 / pi."},
+     "The weight of a path is a color. It is multiplied by the BSDF and the cosine, and divided by "
+     "the density of the direction. Diffuse surfaces have Kd / pi; with directions distributed by "
+     "the cosine, what remains is Kd.",
+     "The function that chooses a direction, the density that belongs to it, 1 / pi, and whether "
+     "the weight has three channels."},
     {Cause::path_length, "Ends of paths (Path)",
      "Light after some bounce is missing, each bounce is darker by the same factor, lamps are "
      "black "

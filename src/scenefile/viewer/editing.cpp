@@ -279,21 +279,21 @@ const Document* edited_document(Session& session) {
 
 std::optional<ItemId> selected_item(Session& session) {
   Editing& editing = session.editing;
-  const Document* const document = edited_document(session);
+  const bool selects = editing.part || (session.selected && shows_edited_text(session));
+  const Document* const document = selects ? edited_document(session) : nullptr;
   if (document == nullptr) {
     return std::nullopt;
   }
-  if (!editing.part && session.selected && shows_edited_text(session)) {
+  if (!editing.part) {
     const OutlineRow& row = session.shown->outline.rows[*session.selected];
     if (const std::optional<ItemId> item = item_of_row(*document, row)) {
       editing.part = part_of(*document, *item);
       // In XML, the group around an object is its transblock, which has only transforms.
       editing.part->block =
           row.kind == RowKind::group && (*document)[*item].kind != ItemKind::group;
+    } else {
+      return std::nullopt;
     }
-  }
-  if (!editing.part) {
-    return std::nullopt;
   }
   if (editing.found_in != editing.version || editing.found_part != *editing.part) {
     editing.found_in = editing.version;

@@ -18,7 +18,7 @@ bool needs_place(Field field, const glm::vec3& value);
 
 /// The values of a block, and where what is known of them is stored.
 template <typename Owner>
-struct Block {
+struct BlockReader {
   Owner& values;
   FieldSet& unread;
   Location location;
@@ -61,7 +61,7 @@ static_assert(camera_rows[focus_row].xml == "focus" && camera_rows[focus_row].js
 
 /// Reads a focus, a point to look at; the scene only has directions.
 template <typename Value>
-void read_focus(const Block<Camera>& block, const Value& value, glm::vec3& focus) {
+void read_focus(const BlockReader<Camera>& block, const Value& value, glm::vec3& focus) {
   block.unread.set(Field::look, !value.three(ValueKind::vector, focus));
   block.note(Field::look, value);
 }

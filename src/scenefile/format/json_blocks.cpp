@@ -20,7 +20,7 @@ namespace {
 // Reads the values of a block except the direction of view; reports those that it must have.
 template <typename Owner, std::size_t N>
 void read_rows(JsonContext& context, const JsonFields& fields, const ValueRow<Owner> (&rows)[N],
-               const Block<Owner>& block) {
+               const BlockReader<Owner>& block) {
   for (std::size_t i = 0; i < N; ++i) {
     const std::size_t key = key_of(rows, i);
     if (rows[i].json.empty()) {
@@ -29,7 +29,7 @@ void read_rows(JsonContext& context, const JsonFields& fields, const ValueRow<Ow
     if (is_needed(rows[i].need, false) && !fields.require(key)) {
       block.unread.insert(*rows[i].field);
     } else if (rows[i].has_member() && rows[i].field != Field::look && fields.has(key)) {
-      block.read(rows[i], JsonValue{context, fields.key(key)});
+      block.read(rows[i], WrittenJson{context, fields.key(key)});
     }
   }
 }
@@ -127,7 +127,7 @@ constexpr std::size_t look = key_of(camera_rows, look_row);
 constexpr std::size_t focus = key_of(camera_rows, focus_row);
 
 void read_direction(JsonContext& context, const JsonFields& fields, JsonIndex object,
-                    const Block<Camera>& block) {
+                    const BlockReader<Camera>& block) {
   if (fields.has(look) && fields.has(focus)) {
     const JsonIndex second = std::max(fields.key(look), fields.key(focus));
     context.report("json.look-and-focus"_code, second,
@@ -135,10 +135,10 @@ void read_direction(JsonContext& context, const JsonFields& fields, JsonIndex ob
     block.unread.insert(Field::look);
   } else if (fields.has(focus)) {
     glm::vec3 point;
-    read_focus(block, JsonValue{context, fields.key(focus)}, point);
+    read_focus(block, WrittenJson{context, fields.key(focus)}, point);
     look_at(point, block.values);
   } else if (fields.has(look)) {
-    block.read(camera_rows[look_row], JsonValue{context, fields.key(look)});
+    block.read(camera_rows[look_row], WrittenJson{context, fields.key(look)});
   } else {
     context.report("json.missing-key"_code, object,
                    "cameraData must have one of the keys \"look\" and \"focus\"");
@@ -190,7 +190,7 @@ void report_missing(JsonContext& context, const JsonFields& fields, JsonIndex it
 
 void read_values(JsonContext& context, const JsonFields& fields, JsonIndex item, Light& light,
                  Scene& scene) {
-  const Block<Light> block{light, light.unread, light.location, scene};
+  const BlockReader<Light> block{light, light.unread, light.location, scene};
   for (std::size_t i = 0; i < std::size(light_rows); ++i) {
     const ValueRow<Light>& row = light_rows[i];
     const std::size_t key = key_of(light_rows, i);
@@ -206,7 +206,7 @@ void read_values(JsonContext& context, const JsonFields& fields, JsonIndex item,
     } else if (row.kind == ValueKind::text) {
       light.name = text_value(context, fields.key(key), context.limits.name_bytes).value_or("");
     } else {
-      block.read(row, JsonValue{context, fields.key(key)});
+      block.read(row, WrittenJson{context, fields.key(key)});
     }
   }
 }
@@ -260,14 +260,14 @@ Rare<TextureUse> read_texture(JsonContext& context, const JsonFields& fields, st
 void read_material(JsonContext& context, const JsonFields& fields, Primitive& primitive,
                    Scene& scene) {
   Material& material = primitive.material;
-  const Block<Material> block{material, primitive.unread, primitive.location, scene};
+  const BlockReader<Material> block{material, primitive.unread, primitive.location, scene};
   for (std::size_t i = 0; i < std::size(material_rows); ++i) {
     const ValueRow<Material>& row = material_rows[i];
     const std::size_t key = first_of_material + key_of(material_rows, i);
     const auto* const texture = std::get_if<Rare<TextureUse> Material::*>(&row.member);
     if (texture == nullptr) {
       if (row.has_member() && fields.has(key)) {
-        block.read(row, JsonValue{context, fields.key(key)});
+        block.read(row, WrittenJson{context, fields.key(key)});
       }
       continue;
     }
@@ -288,7 +288,7 @@ void read_json_global(JsonContext& context, JsonIndex key, Scene& scene) {
   Global& global = scene.global;
   global.location = context.place(key);
   read_rows(context, JsonFields(context, key + 1, global::vocabulary), global_rows,
-            Block<Global>{global, global.unread, global.location, scene});
+            BlockReader<Global>{global, global.unread, global.location, scene});
 }
 
 void read_json_camera(JsonContext& context, JsonIndex key, Scene& scene) {
@@ -298,7 +298,7 @@ void read_json_camera(JsonContext& context, JsonIndex key, Scene& scene) {
   const JsonFields fields(context, key + 1, camera::vocabulary);
   Camera& camera = scene.camera.emplace();
   camera.location = context.place(key);
-  const Block<Camera> block{camera, camera.unread, camera.location, scene};
+  const BlockReader<Camera> block{camera, camera.unread, camera.location, scene};
   read_rows(context, fields, camera_rows, block);
   camera::read_direction(context, fields, key + 1, block);
 }

@@ -132,8 +132,8 @@ std::optional<std::string> text_value(JsonContext& context, JsonIndex key, std::
 /// A point or direction.
 std::optional<glm::vec3> vector_value(JsonContext& context, JsonIndex key);
 std::optional<glm::vec3> color_value(JsonContext& context, JsonIndex key);
-/// The value of a key, for Block.
-struct JsonValue {
+/// The value of a key, for BlockReader.
+struct WrittenJson {
   JsonContext& context;
   JsonIndex key;
 

@@ -117,8 +117,8 @@ bool read_global(const XmlContext& context, const XmlTag& tag, SeenFields& seen,
   }
   seen.note(context, tag, *field);
   Global& global = scene.global;
-  const Block<Global> block{global, global.unread, global.location, scene};
-  block.read(global_rows[*field], XmlValue{context, tag});
+  const BlockReader<Global> block{global, global.unread, global.location, scene};
+  block.read(global_rows[*field], WrittenXml{context, tag});
   return true;
 }
 
@@ -131,11 +131,11 @@ bool read_camera_part(const XmlContext& context, const XmlTag& tag, CameraDraft&
   draft.seen.note(context, tag, *field);
   const ValueRow<Camera>& row = camera_rows[*field];
   Camera& camera = draft.camera;
-  const Block<Camera> block{camera, camera.unread, camera.location, scene};
+  const BlockReader<Camera> block{camera, camera.unread, camera.location, scene};
   if (*field == focus_row) {
-    read_focus(block, XmlValue{context, tag}, draft.focus);
+    read_focus(block, WrittenXml{context, tag}, draft.focus);
   } else if (row.has_member()) {
-    block.read(row, XmlValue{context, tag});
+    block.read(row, WrittenXml{context, tag});
   } else {
     report_aspect_ratio(context, tag);
   }
@@ -261,8 +261,8 @@ bool read_light_part(const XmlContext& context, const XmlTag& tag, LightDraft& d
   }
   draft.seen.note(context, tag, *field);
   const ValueRow<Light>& row = light_rows[*field];
-  const XmlValue value{context, tag};
-  const Block<Light> block{draft.light, draft.light.unread, draft.light.location, scene};
+  const WrittenXml value{context, tag};
+  const BlockReader<Light> block{draft.light, draft.light.unread, draft.light.location, scene};
   if (row.kind == ValueKind::id) {
     block.note(Field::id, value);
     if (const std::optional<std::string_view> word = read_word(context, tag)) {
@@ -306,7 +306,7 @@ bool is_blend_name(std::string_view name) {
 }
 
 // Reads `blend` as a bare attribute of a texture, as sketched in the format's documentation.
-void read_bare_blend(const XmlValue& from, const XmlAttribute& attribute, bool is_texture,
+void read_bare_blend(const WrittenXml& from, const XmlAttribute& attribute, bool is_texture,
                      PrimitiveDraft& draft, Primitive& primitive) {
   const std::string name = escaped(attribute.name, 40);
   if (!is_texture) {
@@ -336,7 +336,7 @@ bool name_fits(const XmlContext& context, const XmlTag& tag, const XmlAttribute&
   return false;
 }
 
-Rare<TextureUse> read_texture(const XmlValue& from, bool is_texture, PrimitiveDraft& draft,
+Rare<TextureUse> read_texture(const WrittenXml& from, bool is_texture, PrimitiveDraft& draft,
                               Primitive& primitive) {
   constexpr std::string_view known[] = {"file", "u", "v"};
   const XmlAttribute* file = find_image_file(from.context, from.tag);
@@ -395,14 +395,15 @@ bool read_primitive_part(const XmlContext& context, const XmlTag& tag, Primitive
   }
   draft.seen.note(context, tag, *field);
   Primitive& primitive = scene.nodes[draft.node].primitives.back();
-  const XmlValue value{context, tag};
+  const WrittenXml value{context, tag};
   const ValueRow<Material>& row = material_rows[*field];
   if (const auto* const texture = std::get_if<Rare<TextureUse> Material::*>(&row.member)) {
     const bool is_texture = *texture == &Material::texture;
     primitive.material.** texture = read_texture(value, is_texture, draft, primitive);
     draft.texture_known = is_texture ? primitive.material.texture.has_value() : draft.texture_known;
   } else if (row.has_member()) {
-    const Block<Material> block{primitive.material, primitive.unread, primitive.location, scene};
+    const BlockReader<Material> block{primitive.material, primitive.unread, primitive.location,
+                                      scene};
     block.read(row, value);
   } else {
     context.report("xml.ignored-element"_code, tag,

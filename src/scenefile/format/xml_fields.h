@@ -64,8 +64,8 @@ void expect_no_attributes(const XmlContext& context, const XmlTag& tag);
 void report_block_attribute(const XmlContext& context, const XmlTag& tag,
                             const XmlAttribute& attribute, std::span<const std::string_view> known);
 
-/// The value of an element, for Block.
-struct XmlValue {
+/// The value of an element, for BlockReader.
+struct WrittenXml {
   const XmlContext& context;
   const XmlTag& tag;
 

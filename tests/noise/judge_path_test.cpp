@@ -153,6 +153,38 @@ TEST_F(Judge, NamesPathsThatLoseColor) {
   }
 }
 
+TEST_F(Judge, NamesThroughputsThatAreNoProducts) {
+  PathTruth with_throughputs = truth;
+  draw_throughputs(traced, room.scene, options, 2, with_throughputs);
+  constexpr double p = 0.7;  // of going on
+  options.continuation = p;
+  options.mis = false;
+  const PathScene paths(traced, room.scene, options);
+  for (const bool added : {false, true}) {
+    DecodedPicture picture = drawn();
+    for (int y = 0; y < 64; ++y) {
+      for (int x = 0; x < 64; ++x) {
+        RayCounts counts;
+        PathRecord path;
+        Color light(0);
+        for (std::uint32_t i = 0; i < 32; ++i) {
+          path_light(paths, x, y, i, counts, &path);
+          Color throughput(1);
+          for (const PathVertex& v : path.vertices) {
+            light += throughput * (v.emission + v.light) / 32.0;
+            throughput = v.next.weight / p + (added ? throughput : Color(0));
+          }
+        }
+        for (int c = 0; c < 3; ++c) {
+          picture.linear.pixel(x, y)[c] = static_cast<float>(light[c]);
+        }
+      }
+    }
+    EXPECT_THAT(names(judge_path(with_throughputs, picture).causes),
+                ::testing::HasSubstr(added ? "throughput-added " : "throughput-replaced "));
+  }
+}
+
 TEST_F(Judge, NamesPointsBesideLamps) {
   PathTruth with_variants = truth;
   ASSERT_EQ(draw_variants(room.scene, room.assets, options, 2, {}, with_variants),

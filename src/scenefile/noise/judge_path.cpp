@@ -296,8 +296,11 @@ struct Explanation {
     bool general = false;
     for (const PathModel& m : reading.models) {
       const bool first = &m == &best;
-      if (m.kind != best.kind || m.deviance > best.deviance + tie ||
-          m.plain_chi2 > best.plain_chi2 + tie ||
+      const bool as_likely =
+          m.deviance <= best.deviance + tie && m.plain_chi2 <= best.plain_chi2 + tie;
+      // The noise of a simulation says nothing against the mistake.
+      const bool as_close = m.chi2 <= best.chi2 && reading.is_complete(m);
+      if (m.kind != best.kind || !(as_likely || as_close) ||
           (!first && (general || best.edits > 1 || m.edits > 1))) {
         continue;
       }

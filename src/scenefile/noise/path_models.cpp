@@ -264,10 +264,35 @@ std::optional<PathModel> ModelSearch::pair(const std::vector<PathModel>& singles
   return best;
 }
 
+template <typename At>
+PathModel ModelSearch::best_of(double low, double high, const At& at) const {
+  std::optional<PathModel> best;
+  const double least = std::log(low);
+  const double most = std::log(high);
+  low = least;
+  high = most;
+  int steps = 24;
+  for (int round = 0; round < 4; ++round) {
+    for (int i = 0; i <= steps; ++i) {
+      PathModel model = at(std::exp(low + (high - low) * i / steps));
+      solve(model);
+      if (!best || model.fit.chi2 < best->fit.chi2) {
+        best = std::move(model);
+      }
+    }
+    const double middle = std::log(best->parameter);
+    const double reach = (high - low) / steps;
+    low = std::max(least, middle - reach);
+    high = std::min(most, middle + reach);
+    steps = 8;
+  }
+  return *best;
+}
+
 // `power`: how often the parameter is a factor.
 PathModel ModelSearch::by_parameter(Cause page, const char* name, int (*power)(const LightKind&),
                                     bool free_direct) const {
-  const auto at = [&](double p) {
+  return best_of(0.02, 12, [&](double p) {
     PathModel model{ModelKind::mistake, page, name, "", {}, {}, p, 1, free_direct ? 2 : 1};
     const auto factor = [&](const LightKind& k) { return std::pow(p, power(k)); };
     BlockColors hits = back_.scaled_kinds(factor, true);
@@ -278,29 +303,77 @@ PathModel ModelSearch::by_parameter(Cause page, const char* name, int (*power)(c
     } else {
       model.fixed = combined(hits, 1, samples);
     }
-    solve(model);
     return model;
-  };
-  std::optional<PathModel> best;
-  double low = std::log(0.02);
-  double high = std::log(12.0);
-  int steps = 24;
-  for (int round = 0; round < 4; ++round) {
-    double middle = 0;
-    for (int i = 0; i <= steps; ++i) {
-      const double p = low + (high - low) * i / steps;
-      PathModel model = at(std::exp(p));
-      if (!best || model.fit.chi2 < best->fit.chi2) {
-        best = std::move(model);
+  });
+}
+
+PathModel ModelSearch::by_throughput(const std::vector<LooseThroughputs>& lights, bool added,
+                                     bool divided) const {
+  constexpr std::size_t most = LooseThroughputs::most;
+  // Far from the camera, bounces differ only by the light that leaves the scene.
+  constexpr std::size_t few = 4;
+  double near = 0;
+  double far = 0;
+  for (const LooseThroughputs& light : lights) {
+    for (std::size_t n = most + 1 - few; n <= most; ++n) {
+      near += back_.energy(light.one[n - few]);
+      far += back_.energy(light.one[n]);
+    }
+  }
+  const double stays = near > 0 ? std::min(1.0, std::pow(far / near, 1.0 / few)) : 0;
+  const auto picture = [&](const LooseThroughputs& light, double p) {
+    BlockColors sum = back_.zero;
+    const auto add = [&](double by, const BlockColors& term) {
+      for (std::size_t b = 0; b < term.size(); ++b) {
+        sum[b] += by * term[b];
+      }
+    };
+    const double left = stays * p;
+    for (std::size_t n = 0; n <= most; ++n) {
+      // The last few terms stand for those beyond, for which sums of factors grow.
+      const bool is_far = n + few > most;
+      const double beyond = is_far ? std::pow(left, most + 1 - n) / (1 - left) / few : 0;
+      const double grown = is_far ? beyond / double(n) * (most + 1 + left / (1 - left)) : 0;
+      const double gone_on = std::pow(p, n);
+      const double factor = gone_on * (divided && n > 0 ? 1 / p : 1);
+      if (added) {
+        add(gone_on * (1 + beyond), light.one[n]);
+        add(factor * (1 + grown), light.sum[n]);
+      } else {
+        add(factor * (1 + beyond), light.last[n]);
       }
     }
-    middle = std::log(best->parameter);
-    const double reach = (high - low) / steps;
-    low = middle - reach;
-    high = middle + reach;
-    steps = 8;
-  }
-  return *best;
+    return sum;
+  };
+  return best_of(0.2, 0.97, [&](double p) {
+    PathModel model{
+        ModelKind::mistake,
+        Cause::scattering,
+        added ? "throughput-added" : "throughput-replaced",
+        fmt::format("the factor of each direction {} the throughput of the path instead of being "
+                    "multiplied by it; the probability of going on is {:.2f}",
+                    added ? "is added to" : "replaces", p),
+        back_.zero,
+        {},
+        p,
+        1,
+        1,
+        back_.zero};
+    const auto count = static_cast<double>(lights.size());
+    std::vector<BlockColors> pictures;
+    for (const LooseThroughputs& light : lights) {
+      pictures.push_back(picture(light, p));
+      model.fixed = combined(model.fixed, 1 / count, pictures.back());
+    }
+    for (const BlockColors& one : pictures) {
+      for (std::size_t b = 0; b < one.size(); ++b) {
+        const Color off = one[b] - model.fixed[b];
+        model.noise[b] += off * off / (count * (count - 1));
+      }
+    }
+    model.noise = shrunk(model.noise, back_.truth.columns);
+    return model;
+  });
 }
 
 std::vector<PathModel> ModelSearch::models() const {
@@ -345,6 +418,15 @@ std::vector<PathModel> ModelSearch::models() const {
   list.push_back(by_parameter(scattering, "direct-and-scattered", rough, true));
   list.push_back(by_parameter(lengths, "bounce", bounces, false));
   list.push_back(by_parameter(lengths, "direct-and-bounce", bounces, true));
+  for (const std::vector<LooseThroughputs>& lights : back_.truth.throughputs) {
+    for (const bool added : {false, true}) {
+      for (const bool divided : {false, true}) {
+        if (!lights.empty()) {
+          list.push_back(by_throughput(lights, added, divided));
+        }
+      }
+    }
+  }
   if (back_.truth.glass) {
     list.push_back(by_parameter(specular, "glass-step", at_glass, false));
   }

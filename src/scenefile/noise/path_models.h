@@ -72,8 +72,17 @@ class ModelSearch {
   /// The fitted picture.
   BlockColors picture_of(const PathModel& model) const;
 
+  /// The best of the models for parameters in a range.
+  template <typename At>
+  PathModel best_of(double low, double high, const At& at) const;
+
   PathModel by_parameter(Cause page, const char* name, int (*power)(const LightKind&),
                          bool free_direct) const;
+
+  /// Throughputs that are replaced by the factor of a direction, or to which it is added, with or
+  /// without dividing it by the probability of going on, which is the parameter.
+  PathModel by_throughput(const std::vector<LooseThroughputs>& lights, bool added,
+                          bool divided) const;
 
   const TruthBlocks& back_;
   const ObservedBlocks& seen_;

@@ -252,6 +252,24 @@ void add_path(const PathRecord& path, const Lamps& lamps, BlockSums& sums) {
   }
 }
 
+// Each vertex adds its light to the terms of its number of bounces.
+void add_loose(const PathRecord& path, std::size_t block, double share, LooseThroughputs& sums) {
+  double likelihood = share;
+  Color last(1);
+  Color sum(0);
+  const std::size_t count = std::min(path.vertices.size(), LooseThroughputs::most + 1);
+  for (std::size_t n = 0; n < count; ++n) {
+    const PathVertex& v = path.vertices[n];
+    const Color light = likelihood * (v.emission + v.light);
+    sums.one[n][block] += light;
+    sums.last[n][block] += last * light;
+    sums.sum[n][block] += sum * light;
+    likelihood /= v.continuation;
+    last = v.next.weight;
+    sum += last;
+  }
+}
+
 constexpr int longest_of_pool = 24;  // users continue them by their mean growth
 
 std::vector<PathStep> steps_of(const PathRecord& path) {
@@ -572,6 +590,55 @@ RenderStatus draw_truth(const TraceScene& traced, const RenderScene& scene,
   truth.samples = double(passes) * of_pass;
   set_means(paths, totals, truth);
   return RenderStatus::complete;
+}
+
+void draw_throughputs(const TraceScene& traced, const RenderScene& scene,
+                      const RenderOptions& options, double seconds, PathTruth& truth) {
+  RenderOptions endless = as_truth(options);
+  endless.continuation = 0.85;  // a seventh of the paths reach the last bounce
+  endless.max_depth = LooseThroughputs::most + 1;
+  const ThreadLimit limit(options.threads);
+  for (std::size_t uniform = 0; uniform < truth.throughputs.size(); ++uniform) {
+    std::deque<PathScene> scenes = scenes_of(traced, scene, endless);
+    std::vector<LooseThroughputs>& lights = truth.throughputs[uniform];
+    for (PathScene& paths : scenes) {
+      paths.uniform_directions = uniform == 1;
+    }
+    lights.resize(sequences);
+    for (LooseThroughputs& light : lights) {
+      for (auto* terms : {&light.one, &light.last, &light.sum}) {
+        terms->fill(BlockColors(truth.blocks(), Color(0)));
+      }
+    }
+    const std::clock_t start = std::clock();
+    std::uint32_t passes = 0;
+    do {
+      for_each_task(truth.blocks(), [&](std::size_t block) {
+        RayCounts counts;
+        PathRecord path;
+        const int left = static_cast<int>(block) % truth.columns * block_side;
+        const int top = static_cast<int>(block) / truth.columns * block_side;
+        for (std::uint32_t i = 0; i < sequences; ++i) {
+          for (int y = top; y < std::min(truth.height, top + block_side); ++y) {
+            for (int x = left; x < std::min(truth.width, left + block_side); ++x) {
+              path_light(scenes[i], x, y, passes, counts, &path);
+              add_loose(path, block, 1 / pixels_of(truth, block), lights[i]);
+            }
+          }
+        }
+      });
+      ++passes;
+    } while (!time_is_over(start, static_cast<int>(passes), seconds / 2));
+    for (LooseThroughputs& light : lights) {
+      for (auto* terms : {&light.one, &light.last, &light.sum}) {
+        for (BlockColors& term : *terms) {
+          for (Color& value : term) {
+            value /= double(passes);
+          }
+        }
+      }
+    }
+  }
 }
 
 void draw_pools(const TraceScene& traced, const RenderScene& scene, const RenderOptions& options,

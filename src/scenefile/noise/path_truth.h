@@ -106,6 +106,16 @@ struct VariantPicture {
   double samples = 0;  ///< per pixel
 };
 
+/// Light of programs whose throughput is not the product of the factors of all directions, by the
+/// number of bounces before it, as if no path ended by chance.
+struct LooseThroughputs {
+  static constexpr std::size_t most = 12;  ///< bounces; users continue them
+  using Terms = std::array<BlockColors, most + 1>;
+  Terms one;   ///< the throughput is 1
+  Terms last;  ///< it is the factor of the last direction
+  Terms sum;   ///< it is the sum of the factors
+};
+
 /// A surface of a path that no roulette ends, as luminances.
 struct PathStep {
   float direct = 0;        ///< the light that it adds to the pixel
@@ -136,6 +146,8 @@ struct PathTruth {
   std::map<LightKind, BlockColors> kinds;
   std::vector<BlockColors> first_passes;  ///< sums of the first 1, 2, 4, 8, ... passes
   std::array<ChangedPicture, change_count> changes;
+  /// Of independent paths, with directions by the BSDF, and uniform ones, as programs sample them.
+  std::array<std::vector<LooseThroughputs>, 2> throughputs;
   std::vector<VariantPicture> variants;  ///< those that the scene can have
   std::vector<PathPool> pools;
   std::vector<double> lamp_areas;  ///< by triangle
@@ -158,6 +170,10 @@ RenderStatus draw_truth(const TraceScene& traced, const RenderScene& scene,
 /// Adds the pools.
 void draw_pools(const TraceScene& traced, const RenderScene& scene, const RenderOptions& options,
                 PathTruth& truth);
+
+/// Adds the throughputs, until `seconds` of processor time are over.
+void draw_throughputs(const TraceScene& traced, const RenderScene& scene,
+                      const RenderOptions& options, double seconds, PathTruth& truth);
 
 /// Adds the variants, each with as many samples as fit into an equal share of the time.
 RenderStatus draw_variants(const RenderScene& scene, const Assets& assets,

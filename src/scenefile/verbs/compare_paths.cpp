@@ -54,14 +54,16 @@ RenderStatus draw_truth(const LoadedScene& scene, const RenderOptions& options, 
                         const Progress& progress, PathTruth& truth) {
   const TraceScene traced(scene.ready.scene, scene.assets, {.threads = options.threads});
   constexpr std::uint32_t most_samples = 4096;
-  constexpr double of_variants = 0.3;
+  constexpr double of_variants = 0.25;
+  constexpr double of_throughputs = 0.15;
   const RenderStatus status =
-      draw_truth(traced, scene.ready.scene, options, (1 - of_variants) * seconds, most_samples,
-                 progress, truth);
+      draw_truth(traced, scene.ready.scene, options, (1 - of_variants - of_throughputs) * seconds,
+                 most_samples, progress, truth);
   if (status != RenderStatus::complete) {
     return status;
   }
   draw_pools(traced, scene.ready.scene, options, truth);
+  draw_throughputs(traced, scene.ready.scene, options, of_throughputs * seconds, truth);
   return draw_variants(scene.ready.scene, scene.assets, options, of_variants * seconds, progress,
                        truth);
 }

@@ -364,7 +364,10 @@ class FieldList {
       }
     }
     if (value.type != SyntaxPart::Type::array) {
-      numbers = {entry};
+      numbers.clear();
+      if (field.parts.size() == 1 || !field.parts[0].is_number) {
+        numbers.push_back(entry);  // a single one is no part of a vector
+      }
     }
     for (std::size_t i = 0; i < std::min(numbers.size(), field.parts.size()); ++i) {
       const SyntaxPart& part = syntax_[numbers[i]];

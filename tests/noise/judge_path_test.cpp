@@ -155,7 +155,8 @@ TEST_F(Judge, NamesPathsThatLoseColor) {
 
 TEST_F(Judge, NamesThroughputsThatAreNoProducts) {
   PathTruth with_throughputs = truth;
-  draw_throughputs(traced, room.scene, options, 2, with_throughputs);
+  ASSERT_EQ(draw_throughputs(traced, room.scene, options, 2, {}, with_throughputs),
+            RenderStatus::complete);
   constexpr double p = 0.7;  // of going on
   options.continuation = p;
   options.mis = false;

@@ -1,5 +1,6 @@
 #include "scenefile/noise/path_truth.h"
 
+#include "scenefile/noise/block_means.h"
 #include "scenefile/path/path_kernel.h"
 #include "scenefile/trace/optics.h"
 #include "scenefile/trace/tasks.h"
@@ -318,8 +319,6 @@ struct Totals {
 
 void draw_block(const PathScene& scene, std::uint32_t pass, std::size_t block,
                 const PathTruth& truth, Totals& totals, RayCounts& counts) {
-  const int column = static_cast<int>(block) % truth.columns;
-  const int row = static_cast<int>(block) / truth.columns;
   PathRecord path;
   Color sum(0);
   BlockSums& sums = totals.blocks[block];
@@ -330,21 +329,18 @@ void draw_block(const PathScene& scene, std::uint32_t pass, std::size_t block,
     }
   };
   add_changed(-1);
-  for (int y = row * block_side; y < std::min(truth.height, (row + 1) * block_side); ++y) {
-    for (int x = column * block_side; x < std::min(truth.width, (column + 1) * block_side); ++x) {
-      const std::size_t pixel = std::size_t(y) * truth.width + x;
-      for (std::uint32_t i = 0; i < of_pass; ++i) {
-        const Color light = path_light(scene, x, y, pass / sequences * of_pass + i, counts, &path);
-        if (!std::isfinite(luminance(light))) {
-          continue;
-        }
-        sum += light;
-        totals.pixels[pixel] += light;
-        totals.pixel_squares[pixel] += light * light;
-        add_path(path, scene.lamps, sums);
+  for_each_pixel(truth, block, [&](int x, int y, std::size_t pixel) {
+    for (std::uint32_t i = 0; i < of_pass; ++i) {
+      const Color light = path_light(scene, x, y, pass / sequences * of_pass + i, counts, &path);
+      if (!std::isfinite(luminance(light))) {
+        continue;
       }
+      sum += light;
+      totals.pixels[pixel] += light;
+      totals.pixel_squares[pixel] += light * light;
+      add_path(path, scene.lamps, sums);
     }
-  }
+  });
   totals.sums[pass % sequences][block] += sum;
   add_changed(1);
 }
@@ -503,17 +499,13 @@ VariantPicture draw_variant(Variant variant, const std::deque<PathScene>& scenes
   const auto add_pass = [&] {
     for_each_task(truth.blocks(), [&](std::size_t block) {
       RayCounts counts;
-      const int left = static_cast<int>(block) % truth.columns * block_side;
-      const int top = static_cast<int>(block) / truth.columns * block_side;
-      for (int y = top; y < std::min(truth.height, top + block_side); ++y) {
-        for (int x = left; x < std::min(truth.width, left + block_side); ++x) {
-          for (std::uint32_t i = 0; i < of_pass; ++i) {
-            const Color light = path_light(scenes[passes % sequences], x, y,
-                                           passes / sequences * of_pass + i, counts);
-            sums[block] += std::isfinite(luminance(light)) ? light : Color(0);
-          }
+      for_each_pixel(truth, block, [&](int x, int y, std::size_t) {
+        for (std::uint32_t i = 0; i < of_pass; ++i) {
+          const Color light = path_light(scenes[passes % sequences], x, y,
+                                         passes / sequences * of_pass + i, counts);
+          sums[block] += std::isfinite(luminance(light)) ? light : Color(0);
         }
-      }
+      });
     });
     ++passes;
   };
@@ -592,8 +584,9 @@ RenderStatus draw_truth(const TraceScene& traced, const RenderScene& scene,
   return RenderStatus::complete;
 }
 
-void draw_throughputs(const TraceScene& traced, const RenderScene& scene,
-                      const RenderOptions& options, double seconds, PathTruth& truth) {
+RenderStatus draw_throughputs(const TraceScene& traced, const RenderScene& scene,
+                              const RenderOptions& options, double seconds,
+                              const Progress& progress, PathTruth& truth) {
   RenderOptions endless = as_truth(options);
   endless.continuation = 0.85;  // a seventh of the paths reach the last bounce
   endless.max_depth = LooseThroughputs::most + 1;
@@ -616,18 +609,18 @@ void draw_throughputs(const TraceScene& traced, const RenderScene& scene,
       for_each_task(truth.blocks(), [&](std::size_t block) {
         RayCounts counts;
         PathRecord path;
-        const int left = static_cast<int>(block) % truth.columns * block_side;
-        const int top = static_cast<int>(block) / truth.columns * block_side;
         for (std::uint32_t i = 0; i < sequences; ++i) {
-          for (int y = top; y < std::min(truth.height, top + block_side); ++y) {
-            for (int x = left; x < std::min(truth.width, left + block_side); ++x) {
-              path_light(scenes[i], x, y, passes, counts, &path);
+          for_each_pixel(truth, block, [&](int x, int y, std::size_t) {
+            if (std::isfinite(luminance(path_light(scenes[i], x, y, passes, counts, &path)))) {
               add_loose(path, block, 1 / pixels_of(truth, block), lights[i]);
             }
-          }
+          });
         }
       });
       ++passes;
+      if (progress && !progress(1)) {
+        return RenderStatus::cancelled;
+      }
     } while (!time_is_over(start, static_cast<int>(passes), seconds / 2));
     for (LooseThroughputs& light : lights) {
       for (auto* terms : {&light.one, &light.last, &light.sum}) {
@@ -639,6 +632,7 @@ void draw_throughputs(const TraceScene& traced, const RenderScene& scene,
       }
     }
   }
+  return RenderStatus::complete;
 }
 
 void draw_pools(const TraceScene& traced, const RenderScene& scene, const RenderOptions& options,

@@ -109,7 +109,7 @@ struct VariantPicture {
 /// Light of programs whose throughput is not the product of the factors of all directions, by the
 /// number of bounces before it, as if no path ended by chance.
 struct LooseThroughputs {
-  static constexpr std::size_t most = 12;  ///< bounces; users continue them
+  static constexpr std::size_t most = 12;  ///< bounces; callers extrapolate to longer paths
   using Terms = std::array<BlockColors, most + 1>;
   Terms one;   ///< the throughput is 1
   Terms last;  ///< it is the factor of the last direction
@@ -172,8 +172,9 @@ void draw_pools(const TraceScene& traced, const RenderScene& scene, const Render
                 PathTruth& truth);
 
 /// Adds the throughputs, until `seconds` of processor time are over.
-void draw_throughputs(const TraceScene& traced, const RenderScene& scene,
-                      const RenderOptions& options, double seconds, PathTruth& truth);
+RenderStatus draw_throughputs(const TraceScene& traced, const RenderScene& scene,
+                              const RenderOptions& options, double seconds,
+                              const Progress& progress, PathTruth& truth);
 
 /// Adds the variants, each with as many samples as fit into an equal share of the time.
 RenderStatus draw_variants(const RenderScene& scene, const Assets& assets,

@@ -54,18 +54,21 @@ RenderStatus draw_truth(const LoadedScene& scene, const RenderOptions& options, 
                         const Progress& progress, PathTruth& truth) {
   const TraceScene traced(scene.ready.scene, scene.assets, {.threads = options.threads});
   constexpr std::uint32_t most_samples = 4096;
+  // Shares of the time. The truth has most of it, because all explanations start from it.
   constexpr double of_variants = 0.25;
   constexpr double of_throughputs = 0.15;
-  const RenderStatus status =
+  RenderStatus status =
       draw_truth(traced, scene.ready.scene, options, (1 - of_variants - of_throughputs) * seconds,
                  most_samples, progress, truth);
   if (status != RenderStatus::complete) {
     return status;
   }
   draw_pools(traced, scene.ready.scene, options, truth);
-  draw_throughputs(traced, scene.ready.scene, options, of_throughputs * seconds, truth);
-  return draw_variants(scene.ready.scene, scene.assets, options, of_variants * seconds, progress,
-                       truth);
+  status = draw_throughputs(traced, scene.ready.scene, options, of_throughputs * seconds, progress,
+                            truth);
+  return status != RenderStatus::complete ? status
+                                          : draw_variants(scene.ready.scene, scene.assets, options,
+                                                          of_variants * seconds, progress, truth);
 }
 
 std::string path_verdict_text(const PathVerdict& v) {

@@ -365,8 +365,9 @@ class FieldList {
     }
     if (value.type != SyntaxPart::Type::array) {
       numbers.clear();
-      if (field.parts.size() == 1 || !field.parts[0].is_number) {
-        numbers.push_back(entry);  // a single one is no part of a vector
+      const bool is_vector = field.parts.size() > 1 && field.parts[0].is_number;
+      if (!is_vector) {  // a single value is no part of one
+        numbers.push_back(entry);
       }
     }
     for (std::size_t i = 0; i < std::min(numbers.size(), field.parts.size()); ++i) {

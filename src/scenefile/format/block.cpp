@@ -6,8 +6,9 @@
 
 namespace scenefile {
 
-bool needs_place(Field color, const glm::vec3& value) {
-  const bool by_itself = color == Field::diffuse || color == Field::ambient;
+bool needs_place(Field field, const glm::vec3& value) {
+  // A finding about these two is only about their own numbers, not about other values.
+  const bool by_itself = field == Field::diffuse || field == Field::ambient;
   return !by_itself || !glm::all(glm::greaterThanEqual(value, glm::vec3(0))) ||
          !glm::all(glm::lessThanEqual(value, glm::vec3(1)));
 }

@@ -132,6 +132,10 @@ std::optional<std::string> text_value(JsonContext& context, JsonIndex key, std::
 /// A point or direction.
 std::optional<glm::vec3> vector_value(JsonContext& context, JsonIndex key);
 std::optional<glm::vec3> color_value(JsonContext& context, JsonIndex key);
+/// x, y, z, and the angle in degrees.
+std::optional<glm::vec4> rotation_value(JsonContext& context, JsonIndex key);
+std::optional<glm::mat4> matrix_value(JsonContext& context, JsonIndex key);
+
 /// The value of a key, for BlockReader.
 struct WrittenJson {
   JsonContext& context;
@@ -151,9 +155,7 @@ struct WrittenJson {
     return from.has_value();
   }
 };
-/// x, y, z, and the angle in degrees.
-std::optional<glm::vec4> rotation_value(JsonContext& context, JsonIndex key);
-std::optional<glm::mat4> matrix_value(JsonContext& context, JsonIndex key);
+
 /// Returns whether the value is an array; reports it otherwise.
 bool is_json_list(JsonContext& context, JsonIndex key, std::string_view of_what);
 

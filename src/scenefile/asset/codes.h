@@ -137,8 +137,9 @@ inline constexpr Code asset_codes[] = {
 };
 
 template <CodeName name>
-consteval const Code& operator""_code() requires(find_code(asset_codes, name) != nullptr) {
-  return *find_code(asset_codes, name);
+constexpr const Code& operator""_code() requires(find_code(asset_codes, name) != nullptr) {
+  constexpr const Code* code = find_code(asset_codes, name);
+  return *code;
 }
 
 }  // namespace scenefile

@@ -41,7 +41,8 @@ constexpr const Code* find_code(std::span<const Code> codes, std::string_view na
 }
 
 /// The name of a code as a template argument. Each room has an `operator""_code` that takes only
-/// the names of its own array, so a name that no included room knows does not compile.
+/// the names of its own array, so a name that no included room knows does not compile. It is not
+/// consteval, because clang 14 then leaves calls in conditional expressions to the linker.
 template <std::size_t size>
 struct CodeName {
   char text[size];

@@ -28,8 +28,9 @@ inline constexpr Code export_codes[] = {
 };
 
 template <CodeName name>
-consteval const Code& operator""_code() requires(find_code(export_codes, name) != nullptr) {
-  return *find_code(export_codes, name);
+constexpr const Code& operator""_code() requires(find_code(export_codes, name) != nullptr) {
+  constexpr const Code* code = find_code(export_codes, name);
+  return *code;
 }
 
 }  // namespace scenefile

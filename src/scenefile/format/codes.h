@@ -384,8 +384,9 @@ inline constexpr Code format_codes[] = {
 };
 
 template <CodeName name>
-consteval const Code& operator""_code() requires(find_code(format_codes, name) != nullptr) {
-  return *find_code(format_codes, name);
+constexpr const Code& operator""_code() requires(find_code(format_codes, name) != nullptr) {
+  constexpr const Code* code = find_code(format_codes, name);
+  return *code;
 }
 
 }  // namespace scenefile

@@ -31,8 +31,9 @@ inline constexpr Code import_codes[] = {
 };
 
 template <CodeName name>
-consteval const Code& operator""_code() requires(find_code(import_codes, name) != nullptr) {
-  return *find_code(import_codes, name);
+constexpr const Code& operator""_code() requires(find_code(import_codes, name) != nullptr) {
+  constexpr const Code* code = find_code(import_codes, name);
+  return *code;
 }
 
 }  // namespace scenefile

@@ -24,8 +24,9 @@ inline constexpr Code placement_codes[] = {
 };
 
 template <CodeName name>
-consteval const Code& operator""_code() requires(find_code(placement_codes, name) != nullptr) {
-  return *find_code(placement_codes, name);
+constexpr const Code& operator""_code() requires(find_code(placement_codes, name) != nullptr) {
+  constexpr const Code* code = find_code(placement_codes, name);
+  return *code;
 }
 
 }  // namespace scenefile

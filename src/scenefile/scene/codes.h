@@ -195,8 +195,9 @@ inline constexpr Code scene_codes[] = {
 };
 
 template <CodeName name>
-consteval const Code& operator""_code() requires(find_code(scene_codes, name) != nullptr) {
-  return *find_code(scene_codes, name);
+constexpr const Code& operator""_code() requires(find_code(scene_codes, name) != nullptr) {
+  constexpr const Code* code = find_code(scene_codes, name);
+  return *code;
 }
 
 }  // namespace scenefile

@@ -44,8 +44,9 @@ inline constexpr Code verbs_codes[] = {
 };
 
 template <CodeName name>
-consteval const Code& operator""_code() requires(find_code(verbs_codes, name) != nullptr) {
-  return *find_code(verbs_codes, name);
+constexpr const Code& operator""_code() requires(find_code(verbs_codes, name) != nullptr) {
+  constexpr const Code* code = find_code(verbs_codes, name);
+  return *code;
 }
 
 /// Sorted by name.

@@ -20,8 +20,9 @@ inline constexpr Code view_codes[] = {
 };
 
 template <CodeName name>
-consteval const Code& operator""_code() requires(find_code(view_codes, name) != nullptr) {
-  return *find_code(view_codes, name);
+constexpr const Code& operator""_code() requires(find_code(view_codes, name) != nullptr) {
+  constexpr const Code* code = find_code(view_codes, name);
+  return *code;
 }
 
 }  // namespace scenefile

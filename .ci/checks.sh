@@ -1,12 +1,23 @@
 # For scripts that run many checks: goes on after a failure, lists each check with its time, fails if one failed.
+# record: a file, or empty. Checks that it lists as passed are not run again.
 # shellcheck shell=bash
 times="" failed=0
+record=${record:-}
 
 check() {  # COMMAND...
-  local status=0 began=$SECONDS
+  local status=0 began=$SECONDS before=""
   printf '\n== %s\n' "$*"
+  [ ! -f "$record" ] || before=$(awk -F'\t' -v command="$*" '$2 == command { print $1; exit }' "$record")
+  if [ -n "$before" ]; then
+    times+=$(printf '%-70s %6d s  passed before' "$*" "$before")$'\n'
+    return
+  fi
   "$@" || status=$?
-  [ "$status" -eq 0 ] || failed=1
+  if [ "$status" -ne 0 ]; then
+    failed=1
+  elif [ -n "$record" ]; then
+    printf '%d\t%s\n' $((SECONDS - began)) "$*" >> "$record"
+  fi
   times+=$(printf '%-70s %6d s  %s' "$*" $((SECONDS - began)) "$([ "$status" -eq 0 ] && echo passed || echo "failed ($status)")")$'\n'
 }
 

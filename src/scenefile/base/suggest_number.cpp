@@ -54,13 +54,29 @@ void join_digits(std::string& text) {
   }
 }
 
-// A single comma is a decimal point; before a point, commas separate thousands.
+// A single comma is a decimal point. If there are both, as in 1,000.5 and 1.000,5, the last mark is
+// the decimal point, and those before it must separate thousands: 1,0.5 is two numbers.
 void place_point(std::string& text) {
-  const auto commas = std::count(text.begin(), text.end(), ',');
-  if (text.find('.') != std::string::npos) {
-    text.erase(std::remove(text.begin(), text.end(), ','), text.end());
-  } else if (commas == 1) {
-    std::replace(text.begin(), text.end(), ',', '.');
+  const std::size_t first = text.find_first_of(".,");
+  const std::size_t last = text.find_last_of(".,");
+  if (text.find('.') == std::string::npos) {
+    if (first == last && first != std::string::npos) {
+      text[first] = '.';
+    }
+    return;
+  }
+  const char separator = text[first];
+  const std::size_t digits = text.find_first_not_of("+-");
+  bool grouped = separator != text[last] && is_digit(text[digits]) && text[digits] != '0' &&
+                 first - digits <= 3;
+  for (std::size_t mark = first; grouped && mark != last; mark += 4) {
+    grouped = text[mark] == separator && text.find_first_of(".,", mark + 1) == mark + 4;
+  }
+  if (grouped) {
+    text[last] = '.';
+    const auto begin = text.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(last);
+    text.erase(std::remove(begin, end, separator), end);
   }
 }
 
@@ -146,7 +162,10 @@ bool is_certain(std::string_view text) {
   const std::size_t mark = text.find_first_of("`:;)]}");
   const bool stray =
       mark != text.npos && !(text[mark] == ';' && mark > 0 && is_digit(text[mark - 1]));
-  if (thousands || signed_twice || stray) {
+  // 1.000,5: or two numbers.
+  const bool comma_after_point = comma != text.npos && text.find('.') < comma &&
+                                 comma + 1 < text.size() && is_digit(text[comma + 1]);
+  if (thousands || signed_twice || stray || comma_after_point) {
     return false;
   }
   std::string letters;

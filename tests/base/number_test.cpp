@@ -59,6 +59,16 @@ TEST(Number, EmptyAndBlank) {
   EXPECT_EQ(parse_number(" \t").error, NumberError::empty);
 }
 
+TEST(Number, WhatIsWrittenOfTheLargestFloatReadsBack) {
+  const float largest = std::numeric_limits<float>::max();
+  for (const float value : {largest, -largest}) {
+    const ParsedNumber number = parse_number(number_text(value));
+    EXPECT_EQ(number.error, NumberError::none);
+    EXPECT_EQ(static_cast<float>(number.value), value);
+  }
+  EXPECT_EQ(parse_number("3.4028236e38").error, NumberError::out_of_range);
+}
+
 TEST(Number, BeyondFloatIsOutOfRange) {
   for (const char* text :
        {"1e39", "-1e39", "1e400", "-1e400", "123456789e400", "0.00000001e5000"}) {

@@ -141,7 +141,9 @@ ParsedNumber parse_number(std::string_view text) {
   const bool plus = body[0] == '+';
   const double value = convert(body.substr(plus, end - plus));
   const bool whole = body.find_first_not_of(blanks, end) == std::string_view::npos;
-  if (!(std::abs(value) <= double{std::numeric_limits<float>::max()})) {
+  // Half a step above the largest float: from there on, rounding to float gives infinity.
+  constexpr double too_large = 0x1.ffffffp127;
+  if (!(std::abs(value) < too_large)) {
     return {0, whole ? NumberError::out_of_range : NumberError::malformed, start + end};
   }
   return {value, whole ? NumberError::none : NumberError::malformed, start + end};

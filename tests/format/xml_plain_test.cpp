@@ -131,7 +131,9 @@ TEST(XmlPlain, References) {
         "<a>x<![CDATA[ y ]]>z<?p q?>w</a>", "<a b='&lt;'><c d='1'/><stop></a>",
         "<!DOCTYPE a [<!ELEMENT a (b)> <!-- > ] --> <?p ]>?>]><a b='&#x26;'/>",
         "<a b='&lt;'><b></a>", "<a b='&lt;'>x & y</a>", "<a>x &y; z</a>", "<a>]]></a>",
-        "<a>]]\x02</a>"}) {
+        "<a>]]\x02</a>",
+        // A missing quotation mark in a tag that is not plain is not repaired.
+        "<a b='&lt;' c='1/><d/></a>", "<a><b c='1' c='2/><d/></a>", "<a b='&lt;' c='1 d='2'/>"}) {
     EXPECT_TRUE(events_of(text, {}).reading.asked_expat) << text;
     EXPECT_TRUE(agrees_with_expat(text, {})) << text;
   }

@@ -76,9 +76,23 @@ class TagScanner {
   TagScanner(const char* begin, const char* end, XmlToken& token)
       : begin_(begin), end_(end), token_(token) {}
 
+  void run() {
+    scan();
+    if (unquoted_ && !plain_) {
+      // Only tags that are plain otherwise are repaired. Where this one ends must be decided as
+      // Expat does, which judges it.
+      repairs_ = false;
+      plain_ = true;
+      unquoted_ = false;
+      needs_decoding_ = false;
+      scan();
+    }
+  }
+
+ private:
   // The hot loop of reading: keeps its place in registers, and leaves it to functions that are not
   // inlined only if something is not plain.
-  void run() {
+  void scan() {
     token_.attributes.clear();
     const char* p = begin_ + 1;
     const bool is_end = p != end_ && *p == '/';
@@ -89,7 +103,7 @@ class TagScanner {
       if (p == end_ || *p == '>' || *p == '/') {
         break;
       }
-      if (p == before && end_unclosed(p)) {
+      if (p == before && repairs_ && end_unclosed(p)) {
         continue;
       }
       if (is(*p, name_end)) {
@@ -114,7 +128,6 @@ class TagScanner {
     token_.needs_decoding = needs_decoding_;
   }
 
- private:
   const char* read_name(const char* p, std::string_view& name) {
     const char* const first = p;
     if (p == end_ || !is(*p, name_start)) {
@@ -143,7 +156,7 @@ class TagScanner {
       if (*p == '"' || *p == '\'') {
         return read_value(p, attribute.value);
       }
-      if (const char* const after = read_unquoted(p, attribute.value)) {
+      if (const char* const after = repairs_ ? read_unquoted(p, attribute.value) : nullptr) {
         unquoted_ = true;
         return after;
       }
@@ -157,7 +170,7 @@ class TagScanner {
     const char quote = *p++;
     const char* const first = p;
     while ((p = skip(p, end_, value_part)) != end_ && *p != quote) {
-      if (*p == '>' && is_end_of_unclosed(first, p)) {
+      if (*p == '>' && repairs_ && is_end_of_unclosed(first, p)) {
         p -= p[-1] == '/' ? 1 : 0;
         value = between(first, p);
         unquoted_ = true;
@@ -297,6 +310,7 @@ class TagScanner {
   const char* begin_;
   const char* end_;
   XmlToken& token_;
+  bool repairs_ = true;  // whether values may lack quotation marks
   bool plain_ = true;
   bool unquoted_ = false;
   bool needs_decoding_ = false;

@@ -108,6 +108,8 @@ const std::vector<FixCase> xml_cases{
      R"(<scale x="1,000" y="1" z="1"/><object type="master" name="chair"/>)"},
     {"LetterForDigit", R"(<scale x="1O" y="1" z="1"/><object type="master" name="chair"/>)",
      R"(<scale x="1O" y="1" z="1"/><object type="master" name="chair"/>)"},
+    {"TwoNumbers", R"(<scale x="1,0.5" y="1" z="1"/><object type="master" name="chair"/>)",
+     R"(<scale x="1,0.5" y="1" z="1"/><object type="master" name="chair"/>)"},
     {"TwoOrThree", R"(<scale v="1,5 2"/><object type="master" name="chair"/>)",
      R"(<scale v="1,5 2"/><object type="master" name="chair"/>)"},
     {"Gray", R"(<object type="primitive" name="cube"><diffuse v="0.5"/></object>)",
@@ -259,6 +261,16 @@ TEST(Fix, TheWordMayBeAtAnotherPlace) {
   EXPECT_EQ(corrected("<scenefile>\n<object type='tree' name='scene'/>\n</scenefile>",
                       "xml.no-root"_code),
             "<scenefile>\n<object type='tree' name='root'/>\n</scenefile>");
+}
+
+TEST(Fix, TheWordMayEqualTheNameOfItsAttribute) {
+  EXPECT_EQ(
+      corrected("<scenefile>\n<object type='tree' name='name'/>\n</scenefile>", "xml.no-root"_code),
+      "<scenefile>\n<object type='tree' name='root'/>\n</scenefile>");
+  std::string json = json_with(R"({"name": "name"})");
+  json.replace(json.find("chair"), 5, "names");
+  EXPECT_EQ(corrected(json, "json.unknown-template"_code).find(R"({"name": "name"})"),
+            std::string::npos);
 }
 
 TEST(UnifiedDiff, ShowsWhatChanges) {

@@ -43,22 +43,6 @@ std::string as_json_string(std::string_view value) {
   return text;
 }
 
-// A value with the predefined references resolved.
-std::string unescaped(std::string_view value) {
-  constexpr std::pair<std::string_view, char> references[] = {
-      {"&lt;", '<'}, {"&gt;", '>'}, {"&amp;", '&'}, {"&quot;", '"'}, {"&apos;", '\''}};
-  std::string text;
-  while (!value.empty()) {
-    const auto* const found =
-        std::find_if(std::begin(references), std::end(references),
-                     [&](const auto& entry) { return value.starts_with(entry.first); });
-    const bool is_reference = found != std::end(references);
-    text += is_reference ? found->second : value[0];
-    value.remove_prefix(is_reference ? found->first.size() : 1);
-  }
-  return text;
-}
-
 // Finds the word of a correction in XML.
 class XmlFixer {
  public:
@@ -94,14 +78,17 @@ class XmlFixer {
       const bool unquoted = token.unquoted && is_unquoted(attribute);
       const std::size_t start = value_start(attribute, unquoted);
       const bool here = at_ == open || attribute.name.data() == text_.data() + at_ || start == at_;
-      if (here && attribute.name == written_ && start != at_) {
+      // A tree may be named `name`: names that the format knows need no correction.
+      const bool is_value =
+          attribute.value == written_ || unescaped_xml(attribute.value) == written_;
+      if (here && attribute.name == written_ && !is_value) {
         const std::size_t from = offset(attribute.name);
         const bool whole = instead_.find('"') != instead_.npos;  // attributes instead of this one
         const std::size_t end =
             whole ? offset(attribute.value) + attribute.value.size() + 1 : from + written_.size();
         return {change_of(from, end - from, instead_)};
       }
-      if (here && (attribute.value == written_ || unescaped(attribute.value) == written_)) {
+      if (here && is_value) {
         return value(attribute, unquoted);
       }
     }
@@ -195,14 +182,14 @@ Changes json_changes(std::string_view text, std::size_t at, const Diagnostic& fi
   if (key.empty()) {
     return {};
   }
-  if (json_string_is(key, written)) {
-    return replaced(key);
-  }
   const std::size_t value = text.find_first_not_of(" \t\r\n:", at + key.size());
   const std::string_view string = value != std::string_view::npos && text[value] == '"'
                                       ? json_string_at(text, value)
                                       : std::string_view();
-  return !string.empty() && json_string_is(string, written) ? replaced(string) : Changes{};
+  if (!string.empty() && json_string_is(string, written)) {
+    return replaced(string);
+  }
+  return json_string_is(key, written) ? replaced(key) : Changes{};
 }
 
 std::optional<Edit> edit_of(const FileText& file, const Diagnostic& finding) {

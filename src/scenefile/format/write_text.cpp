@@ -3,11 +3,17 @@
 #include "scenefile/base/number.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
+#include "scenefile/format/scene_text.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <iterator>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace scenefile {
 
@@ -29,6 +35,26 @@ bool append_all(std::string& out, std::string_view text, Append append) {
     text.remove_prefix(c.bytes == 0 ? 1 : c.bytes);
   }
   return all_said;
+}
+
+// The character of a reference such as &lt; or &#10;, of which this is what is between & and ;.
+std::optional<char32_t> referenced(std::string_view name) {
+  constexpr std::pair<std::string_view, char32_t> predefined[] = {
+      {"lt", '<'}, {"gt", '>'}, {"amp", '&'}, {"quot", '"'}, {"apos", '\''}};
+  const auto* const found = std::find_if(std::begin(predefined), std::end(predefined),
+                                         [&](const auto& entry) { return entry.first == name; });
+  if (found != std::end(predefined)) {
+    return found->second;
+  }
+  const bool hexadecimal = name.starts_with("#x");
+  const std::string_view digits =
+      name.substr(std::min<std::size_t>(hexadecimal ? 2 : 1, name.size()));
+  std::uint32_t value = 0;
+  const auto [end, error] =
+      std::from_chars(digits.data(), digits.data() + digits.size(), value, hexadecimal ? 16 : 10);
+  const bool whole =
+      name.starts_with('#') && error == std::errc() && end == digits.data() + digits.size();
+  return whole && value <= 0x10FFFF ? std::optional<char32_t>(value) : std::nullopt;
 }
 
 }  // namespace
@@ -62,6 +88,22 @@ bool append_xml(std::string& out, std::string_view text) {
     out += bytes;
     return true;
   });
+}
+
+std::string unescaped_xml(std::string_view value) {
+  std::string text;
+  while (!value.empty()) {
+    const std::size_t end = value[0] == '&' ? value.find(';') : std::string_view::npos;
+    const std::optional<char32_t> character =
+        end == std::string_view::npos ? std::nullopt : referenced(value.substr(1, end - 1));
+    if (character) {
+      append_utf8(text, *character);
+    } else {
+      text += value[0];
+    }
+    value.remove_prefix(character ? end + 1 : 1);
+  }
+  return text;
 }
 
 bool append_json(std::string& out, std::string_view text) {

@@ -16,6 +16,10 @@ namespace scenefile {
 /// U+FFFD. Returns whether all could be represented.
 bool append_xml(std::string& out, std::string_view text);
 
+/// The text of an attribute's value: the opposite of append_xml(). What is not a reference to a
+/// character stays as it is.
+std::string unescaped_xml(std::string_view value);
+
 /// Appends `text` as a JSON string, with quotes. Bytes that are not UTF-8 become U+FFFD. Returns
 /// whether all could be represented.
 bool append_json(std::string& out, std::string_view text);

@@ -3,7 +3,7 @@
 #include "scenefile/base/ascii.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
-#include "scenefile/format/scene_text.h"
+#include "scenefile/format/write_text.h"
 #include "scenefile/format/xml_judge.h"
 #include "scenefile/format/xml_syntax.h"
 
@@ -21,22 +21,6 @@ namespace {
 
 constexpr std::string_view cdata_start = "<![CDATA[";
 constexpr std::string_view cdata_end = "]]>";
-
-// The text of a reference such as &lt; or &#10;, which Expat and find_entity_use() have accepted.
-std::string resolved(std::string_view reference) {
-  constexpr std::pair<std::string_view, char> predefined[] = {
-      {"&lt;", '<'}, {"&gt;", '>'}, {"&amp;", '&'}, {"&quot;", '"'}, {"&apos;", '\''}};
-  for (const auto& [name, character] : predefined) {
-    if (reference == name) {
-      return {character};
-    }
-  }
-  const bool hexadecimal = reference.starts_with("&#x");
-  const std::string digits(reference.substr(hexadecimal ? 3 : 2));
-  std::string text;
-  append_utf8(text, static_cast<char32_t>(std::stoul(digits, nullptr, hexadecimal ? 16 : 10)));
-  return text;
-}
 
 std::string_view reference_at(std::string_view text, std::size_t at) {
   return text.substr(at, text.find(';', at) + 1 - at);
@@ -227,7 +211,7 @@ bool EventReader::read_text(std::string_view written) {
     const bool is_reference = has_references && rest.starts_with('&');
     const std::string_view part =
         is_reference ? reference_at(rest, 0) : rest.substr(0, rest.find_first_of(line_border));
-    line = is_reference && !part.empty() ? resolved(part) : part;
+    line = is_reference && !part.empty() ? unescaped_xml(part) : part;
     line.resize(line.find_last_not_of(blanks) + 1);
     rest.remove_prefix(part.empty() ? rest.size() : part.size());
   }
@@ -273,7 +257,7 @@ std::string decoded_value(std::string_view value) {
     const char c = value[at];
     if (c == '&') {
       const std::string_view reference = reference_at(value, at);
-      text += resolved(reference);
+      text += unescaped_xml(reference);
       at += reference.size() - 1;
     } else if (c != '\r' || !value.substr(at).starts_with("\r\n")) {
       text += blanks.find(c) == std::string_view::npos ? c : ' ';

@@ -193,6 +193,16 @@ TEST_F(Client, TemplatesAreFoundAndRenamed) {
   EXPECT_EQ(result("textDocument/prepareRename", at(0, 0)), "null");
 }
 
+// A group with the new name would become an instance of the template.
+TEST_F(Client, TemplatesAreNotRenamedToNamesOfGroups) {
+  initialize();
+  open(R"({"groups": [{"name": "t"}, {"name": "g"}], "templateGroups": [{"name": "t"}]})");
+  EXPECT_NE(result("textDocument/rename", at(0, 22, R"(, "newName": "g")")).find("-32803"),
+            std::string::npos);
+  EXPECT_EQ(result("textDocument/rename", at(0, 22, R"(, "newName": "h")")).find("-32803"),
+            std::string::npos);
+}
+
 TEST_F(Client, SymbolsNest) {
   initialize();
   open(scene);

@@ -1,8 +1,10 @@
 #include "scenefile/lsp/outline.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 namespace scenefile {
 namespace {
@@ -47,6 +49,40 @@ TEST(LspOutline, HasTheNamesOfTemplates) {
       EXPECT_EQ(text.substr(use.from, use.to - use.from), "leg");
     }
   }
+}
+
+// What refers to a template, as the reader understands it: "declaration>", "use", with places.
+std::string names_of(const std::string& text) {
+  std::string names;
+  for (const NameUse& use : read_outline(text).names) {
+    names += fmt::format("{}{}@{} ", use.declares ? ">" : "", use.name, use.from);
+  }
+  return names;
+}
+
+TEST(LspOutline, TreesInsideTreesMayBeInstancesOrTemplates) {
+  const auto scene = [](const std::string& top, const std::string& inside) {
+    return "<scenefile>" + top + "<object type='tree' name='root'>" + inside +
+           "</object></scenefile>";
+  };
+  const std::string a = "<object type='tree' name='a'><transblock/></object>";
+  EXPECT_EQ(names_of(scene(a, "<object type='tree' name='a'/>")), ">a@37 a@120 ");
+  EXPECT_EQ(names_of(scene(a, "<object type='tree' name='a'> </object>")), ">a@37 a@120 ");
+  EXPECT_EQ(names_of(scene("", a + "<object type='master' name='a'/>")), ">a@69 a@122 ");
+  EXPECT_EQ(names_of(scene("", a + "<object type='tree' name='b'/>")), "");
+  EXPECT_EQ(read_outline(scene(a, "<object type='tree' name='b'/>")).other_names,
+            std::vector<std::string>{"b"});
+}
+
+TEST(LspOutline, NamesAreWithoutEscapes) {
+  const std::string text =
+      "<scenefile><object type='tree' name='a&amp;&#98;&#x;'/><object type='master' "
+      "name='a&#38;b&#x;'/>";
+  const Outline outline = read_outline(text);
+  ASSERT_EQ(outline.names.size(), 2U);
+  EXPECT_EQ(outline.names[0].name, "a&b&#x;");
+  EXPECT_EQ(outline.names[1].name, "a&b&#x;");
+  EXPECT_EQ(outline.parts[0].name, "a&b&#x;");
 }
 
 TEST(LspOutline, HasColorsThatCanBeShown) {

@@ -695,10 +695,12 @@ class LanguageServer::Session {
   // The names in the text, and the one at the position of the request, or null.
   struct Named {
     std::vector<NameUse> all;
+    std::vector<std::string> others;
     const NameUse* at = nullptr;
   };
   static Named name_at(const Document& document, JsonView params, const TextLines& lines) {
-    Named named{read_outline(document.text).names, nullptr};
+    Outline outline = read_outline(document.text);
+    Named named{std::move(outline.names), std::move(outline.other_names), nullptr};
     const std::size_t offset = lines.offset(position_in(params["position"]));
     for (const NameUse& use : named.all) {
       named.at = use.from <= offset && offset <= use.to ? &use : named.at;
@@ -777,8 +779,10 @@ class LanguageServer::Session {
     if (named.at == nullptr) {
       return Failure{LspError::request_failed, "there is no name of a template here"};
     }
-    const bool taken = std::any_of(named.all.begin(), named.all.end(),
-                                   [&](const NameUse& use) { return use.name == name; });
+    const bool taken =
+        std::any_of(named.all.begin(), named.all.end(),
+                    [&](const NameUse& use) { return use.name == name; }) ||
+        std::find(named.others.begin(), named.others.end(), name) != named.others.end();
     if (name.empty() || name == "root" || (taken && name != named.at->name)) {
       return Failure{LspError::request_failed,
                      name.empty() ? "a template needs a name"

@@ -3,6 +3,7 @@
 #include "scenefile/base/limits.h"
 #include "scenefile/base/number.h"
 #include "scenefile/format/json_parser.h"
+#include "scenefile/format/write_text.h"
 #include "scenefile/format/xml_scanner.h"
 #include "scenefile/format/xml_values.h"
 #include "scenefile/lsp/completion.h"
@@ -14,6 +15,9 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
+#include <unordered_set>
+#include <utility>
 
 namespace scenefile {
 
@@ -25,6 +29,23 @@ bool read_component(std::string_view text, float& value) {
   const ParsedNumber number = parse_number(text);
   value = static_cast<float>(number.value);
   return number.error == NumberError::none && value >= 0 && value <= 1;
+}
+
+// Adds the names that are uses of a template if there is one with that name.
+void add_uses(Outline& outline, std::vector<NameUse> perhaps) {
+  std::unordered_set<std::string> declared;
+  for (const NameUse& use : outline.names) {
+    use.declares ? (void)declared.insert(use.name) : (void)0;
+  }
+  for (NameUse& use : perhaps) {
+    if (declared.contains(use.name)) {
+      outline.names.push_back(std::move(use));
+    } else {
+      outline.other_names.push_back(std::move(use.name));
+    }
+  }
+  std::sort(outline.names.begin(), outline.names.end(),
+            [](const NameUse& a, const NameUse& b) { return a.from < b.from; });
 }
 
 class XmlOutline {
@@ -47,10 +68,18 @@ class XmlOutline {
     while (!open_.empty()) {
       close(text_.size());
     }
+    add_nested_templates();
+    add_uses(outline_, std::move(empty_trees_));
     return std::move(outline_);
   }
 
  private:
+  struct Open {
+    std::size_t part = no_part;
+    std::optional<NameUse> tree;  // the name, if it is a tree inside another one
+    bool empty = true;
+  };
+
   std::size_t offset(std::string_view part) const {
     return static_cast<std::size_t>(part.data() - text_.data());
   }
@@ -63,6 +92,10 @@ class XmlOutline {
 
   void open(const XmlToken& token) {
     std::size_t part = no_part;
+    std::optional<NameUse> tree;
+    if (!open_.empty()) {
+      open_.back().empty = false;
+    }
     if (token.name == "globaldata") {
       part = add(token, OutlineKind::globals, "globaldata", {});
     } else if (token.name == "cameradata") {
@@ -70,24 +103,47 @@ class XmlOutline {
     } else if (token.name == "lightdata") {
       part = add(token, OutlineKind::light, "lightdata", {});
     } else if (token.name == "object") {
-      part = add_object(token);
-    } else if (token.name == "type" && !open_.empty() && open_.back() != no_part &&
-               outline_.parts[open_.back()].kind == OutlineKind::light) {
-      outline_.parts[open_.back()].detail = value_of(token, "v");
+      part = add_object(token, tree);
+    } else if (token.name == "type" && !open_.empty() && open_.back().part != no_part &&
+               outline_.parts[open_.back().part].kind == OutlineKind::light) {
+      outline_.parts[open_.back().part].detail = value_of(token, "v");
     } else if (kind_of_element(token.name) == ValueKind::color) {
       add_color(token);
     }
     add_values(token);
-    open_.push_back(part);
+    open_.push_back({part, std::move(tree)});
     depth_ += part == no_part ? 0 : 1;
   }
 
   void close(std::size_t end) {
-    if (open_.back() != no_part) {
-      outline_.parts[open_.back()].to = end;
+    Open& last = open_.back();
+    if (last.part != no_part) {
+      outline_.parts[last.part].to = end;
       --depth_;
     }
+    if (last.tree) {
+      (last.empty ? empty_trees_ : full_trees_).push_back(*std::move(last.tree));
+    }
     open_.pop_back();
+  }
+
+  // A tree inside another one is a template if it is used as one, and no tree at the top has its
+  // name.
+  void add_nested_templates() {
+    std::unordered_set<std::string> top;
+    std::unordered_set<std::string> used;
+    for (const NameUse& use : outline_.names) {
+      (use.declares ? top : used).insert(use.name);
+    }
+    for (const NameUse& use : empty_trees_) {
+      used.insert(use.name);
+    }
+    for (NameUse& tree : full_trees_) {
+      if (used.contains(tree.name) && !top.contains(tree.name)) {
+        tree.declares = true;
+        outline_.names.push_back(std::move(tree));
+      }
+    }
   }
 
   std::size_t add(const XmlToken& token, OutlineKind kind, std::string_view name,
@@ -97,19 +153,25 @@ class XmlOutline {
     return outline_.parts.size() - 1;
   }
 
-  std::size_t add_object(const XmlToken& token) {
+  std::size_t add_object(const XmlToken& token, std::optional<NameUse>& tree) {
     const std::string_view type = value_of(token, "type");
-    const std::string_view name = value_of(token, "name");
+    const std::string_view written = value_of(token, "name");
+    const std::string name = unescaped_xml(written);
     const bool top = open_.size() == 1;
-    if (!name.empty() && ((top && type == "tree" && name != "root") || type == "master")) {
-      outline_.names.push_back(
-          {std::string(name), offset(name), offset(name) + name.size(), type == "tree"});
+    if (!name.empty() && name != "root" && (type == "tree" || type == "master")) {
+      const NameUse use{name, offset(written), offset(written) + written.size(),
+                        top && type == "tree"};
+      if (top || type == "master") {
+        outline_.names.push_back(use);
+      } else {
+        tree = use;
+      }
     }
     const OutlineKind kind = type == "primitive" ? OutlineKind::primitive
                              : type == "master"  ? OutlineKind::instance
                              : top               ? OutlineKind::tree
                                                  : OutlineKind::group;
-    return add(token, kind, name.empty() ? type : name, type);
+    return add(token, kind, name.empty() ? type : std::string_view(name), type);
   }
 
   void add_values(const XmlToken& token) {
@@ -143,7 +205,9 @@ class XmlOutline {
 
   std::string_view text_;
   Outline outline_;
-  std::vector<std::size_t> open_;  // the part of each open element
+  std::vector<Open> open_;
+  std::vector<NameUse> empty_trees_;  // inside others
+  std::vector<NameUse> full_trees_;
   std::uint32_t depth_ = 0;
 };
 
@@ -168,7 +232,7 @@ class JsonOutline {
       i = open_.empty() || !open_.back().object ? value(i, {}) : value(i + 1, tape_.raw(i));
     }
     close_before(count);
-    mark_uses();
+    add_uses(outline_, std::move(groups_));
     return std::move(outline_);
   }
 
@@ -208,8 +272,9 @@ class JsonOutline {
       part.name = tape_.string(i);
       if (part.kind == OutlineKind::tree || part.kind == OutlineKind::group) {
         const std::size_t from = tape_.items[i].offset + 1;
-        outline_.names.push_back(
-            {part.name, from, from + tape_.raw(i).size(), part.kind == OutlineKind::tree});
+        const bool declares = part.kind == OutlineKind::tree;
+        (declares ? outline_.names : groups_)
+            .push_back({part.name, from, from + tape_.raw(i).size(), declares});
       }
     }
   }
@@ -266,21 +331,12 @@ class JsonOutline {
     }
   }
 
-  // A group with the name of a template is a use of it; other names are only for readers.
-  void mark_uses() {
-    const std::vector<NameUse> all = outline_.names;
-    std::erase_if(outline_.names, [&](const NameUse& use) {
-      return std::none_of(all.begin(), all.end(), [&](const NameUse& other) {
-        return other.declares && other.name == use.name;
-      });
-    });
-  }
-
   std::string_view text_;
   JsonTape tape_;
   Outline outline_;
   std::vector<Container> open_;
-  std::size_t end_ = 0;  // of what was read
+  std::vector<NameUse> groups_;  // uses of a template if there is one with that name
+  std::size_t end_ = 0;          // of what was read
   std::uint32_t depth_ = 0;
 };
 

@@ -46,7 +46,9 @@ struct PlainValue {
 
 struct Outline {
   std::vector<OutlinePart> parts;  ///< each before those inside it
-  std::vector<NameUse> names;
+  std::vector<NameUse> names;      ///< in the order of the text
+  /// Names that would become uses of a template if one had them.
+  std::vector<std::string> other_names;
   std::vector<ColorValue> colors;  ///< with components from 0 to 1 only
   std::vector<PlainValue> values;
 };

@@ -62,6 +62,33 @@ TEST(LspCompletion, ReplacesTheWordAtThePlace) {
   EXPECT_EQ(found.to, 5U);
 }
 
+// The text after an item is inserted.
+std::string completed(const std::string& text, std::string_view label) {
+  const Completion found = complete_at(text);
+  std::string after = text;
+  after.erase(after.find('|'), 1);
+  return inserted(text, label) == "-"
+             ? "-"
+             : after.replace(found.from, found.to - found.from, inserted(text, label));
+}
+
+TEST(LspCompletion, KeepsWhatFollows) {
+  EXPECT_EQ(completed("<scenefile><globaldata><amb| v='1'/>", "ambientcoeff"),
+            "<scenefile><globaldata><ambientcoeff v='1'/>");
+  EXPECT_EQ(completed("<scenefile><globaldata><amb|ient/>", "ambientcoeff"),
+            "<scenefile><globaldata><ambientcoeff/>");
+  EXPECT_EQ(completed("<scenefile><cam|\n<lightdata>", "cameradata"),
+            "<scenefile><cameradata></cameradata>\n<lightdata>");
+  EXPECT_EQ(completed("<scenefile><cameradata></cam|era>", "cameradata"),
+            "<scenefile><cameradata></cameradata>");
+  EXPECT_EQ(completed("<rotate w|='1' y='2'/>", "x"), "<rotate x='1' y='2'/>");
+  EXPECT_EQ(completed("<rotate |y='2'/>", "x"), "<rotate x=\"\" y='2'/>");
+  EXPECT_EQ(completed("<rotate |y='2'/>", "y"), "-");
+  EXPECT_EQ(completed("<object type='pri|mitive'/>", "tree"), "<object type='tree'/>");
+  EXPECT_EQ(completed(R"({"globalData": {"am|bient": 1}})", "\"ambientCoeff\""),
+            R"({"globalData": {"ambientCoeff": 1}})");
+}
+
 TEST(LspCompletion, WordsHaveMeanings) {
   const std::string xml = "<scenefile><lightdata><penumbra v=\"1\"/></lightdata></scenefile>";
   const auto element = describe(xml, xml.find("umbra"));

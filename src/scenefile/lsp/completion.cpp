@@ -135,21 +135,83 @@ std::string inserted_tag(const ElementWord& element) {
   return text + (container ? fmt::format("></{}>", element.name) : "/>");
 }
 
-Completion complete_name(const OpenTag& tag, std::size_t offset,
+// The first character after white space from the place on, or NUL.
+char next_character(std::string_view text, std::size_t at) {
+  at = text.find_first_not_of(npos_blanks, at);
+  return at == std::string_view::npos ? '\0' : text[at];
+}
+
+// Whether the name that ends at the place is that of a tag with attributes or an end, which stay.
+bool tag_goes_on(std::string_view text, std::size_t name_end) {
+  const std::size_t at = std::min(text.find_first_not_of(npos_blanks, name_end), text.size());
+  const std::size_t word = end_of_word(text, at);
+  const char next = next_character(text, word);
+  return word == at ? next == '>' || next == '/' : next == '=';
+}
+
+Completion complete_name(std::string_view text, const OpenTag& tag, std::size_t offset,
                          const std::vector<std::string_view>& open) {
   constexpr std::string_view top[] = {"scenefile"};
   const ElementWord* const parent = open.empty() ? nullptr : find_element(open.back());
-  Completion result{tag.name_start, offset, {}};
+  const bool only_name = tag_goes_on(text, tag.name_end);
+  Completion result{tag.name_start, only_name ? tag.name_end : offset, {}};
   for (const std::string_view name : open.empty()        ? std::span(top)
                                      : parent != nullptr ? parent->children
                                                          : std::span<const std::string_view>()) {
     const ElementWord& element = *find_element(name);
-    result.items.push_back(
-        {std::string(name), WordKind::element, element.about, inserted_tag(element)});
+    result.items.push_back({std::string(name), WordKind::element, element.about,
+                            only_name ? std::string(name) : inserted_tag(element)});
   }
   if (!open.empty() && tag.name_start == offset) {
     const std::string end = fmt::format("/{}", open.back());
-    result.items.push_back({end, WordKind::element, {}, end + ">"});
+    result.items.push_back({end, WordKind::element, {}, only_name ? end : end + ">"});
+  }
+  return result;
+}
+
+Completion complete_end(std::string_view text, const OpenTag& tag, std::size_t offset,
+                        const std::vector<std::string_view>& open) {
+  Completion result{tag.name_start, std::max(tag.name_end, offset), {}};
+  if (!open.empty()) {
+    const std::string name(open.back());
+    const bool ended = next_character(text, tag.name_end) == '>';
+    result.items.push_back({name, WordKind::element, {}, ended ? name : name + ">"});
+  }
+  return result;
+}
+
+Completion complete_value(std::string_view text, const OpenTag& tag, std::size_t offset,
+                          const ElementWord& element) {
+  const std::size_t word = end_of_word(text, offset);
+  const bool closed = word < text.size() && text[word] == tag.quote;
+  Completion result{tag.value, closed ? word : offset, {}};
+  const AttributeWord* const attribute =
+      tag.attributes.empty() ? nullptr : find_attribute(element, tag.attributes.back());
+  for (const std::string_view value :
+       attribute != nullptr ? attribute->values : std::span<const std::string_view>()) {
+    result.items.push_back({std::string(value), WordKind::value, {}, std::string(value)});
+  }
+  return result;
+}
+
+Completion complete_attribute(std::string_view text, const OpenTag& tag, std::size_t offset,
+                              const ElementWord& element) {
+  const std::size_t from = word_start(text, offset);
+  const std::size_t word = end_of_word(text, offset);
+  const bool replaces = from < offset;
+  const bool has_value = replaces && next_character(text, word) == '=';
+  const std::string_view value = has_value ? "" : !replaces && word > offset ? "=\"\" " : "=\"\"";
+  OpenTag whole;  // with the attributes after the place
+  std::size_t at = tag.name_start - 1;
+  read_tag(text, text.size(), at, whole);
+  Completion result{from, replaces ? word : offset, {}};
+  for (const AttributeWord& attribute : element.attributes) {
+    const bool given = std::find(whole.attributes.begin(), whole.attributes.end(),
+                                 attribute.name) != whole.attributes.end();
+    if (!given || (has_value && attribute.name == text.substr(from, word - from))) {
+      result.items.push_back({std::string(attribute.name), WordKind::attribute, attribute.about,
+                              fmt::format("{}{}", attribute.name, value)});
+    }
   }
   return result;
 }
@@ -161,39 +223,17 @@ Completion complete_xml(std::string_view text, std::size_t offset) {
   }
   const OpenTag& tag = *place.tag;
   if (tag.closing) {
-    Completion result{tag.name_start, offset, {}};
-    if (!place.open.empty()) {
-      const std::string name(place.open.back());
-      result.items.push_back({name, WordKind::element, {}, name + ">"});
-    }
-    return result;
+    return complete_end(text, tag, offset, place.open);
   }
   if (offset <= tag.name_end) {
-    return complete_name(tag, offset, place.open);
+    return complete_name(text, tag, offset, place.open);
   }
   const ElementWord* const element = find_element(tag.name);
   if (element == nullptr) {
     return {};
   }
-  if (tag.quote != '\0') {
-    Completion result{tag.value, offset, {}};
-    const AttributeWord* const attribute =
-        tag.attributes.empty() ? nullptr : find_attribute(*element, tag.attributes.back());
-    for (const std::string_view value :
-         attribute != nullptr ? attribute->values : std::span<const std::string_view>()) {
-      result.items.push_back({std::string(value), WordKind::value, {}, std::string(value)});
-    }
-    return result;
-  }
-  Completion result{word_start(text, offset), offset, {}};
-  for (const AttributeWord& attribute : element->attributes) {
-    if (std::find(tag.attributes.begin(), tag.attributes.end(), attribute.name) ==
-        tag.attributes.end()) {
-      result.items.push_back({std::string(attribute.name), WordKind::attribute, attribute.about,
-                              fmt::format("{}=\"\"", attribute.name)});
-    }
-  }
-  return result;
+  return tag.quote != '\0' ? complete_value(text, tag, offset, *element)
+                           : complete_attribute(text, tag, offset, *element);
 }
 
 // An object or array around a place.
@@ -256,8 +296,9 @@ Completion complete_json(std::string_view text, std::size_t offset) {
     return {};
   }
   const bool in_string = string != std::string_view::npos;
-  const bool closed = in_string && offset < text.size() && text[offset] == '"';
-  Completion result{in_string ? string : word_start(text, offset), offset + (closed ? 1 : 0), {}};
+  const std::size_t word = end_of_word(text, offset);
+  const bool closed = in_string && word < text.size() && text[word] == '"';
+  Completion result{in_string ? string : word_start(text, offset), closed ? word + 1 : offset, {}};
   if (here.wants_key) {
     const std::size_t next = text.find_first_not_of(npos_blanks, result.to);
     const bool has_colon = next != std::string_view::npos && text[next] == ':';

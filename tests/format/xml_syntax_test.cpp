@@ -25,6 +25,13 @@ TEST(XmlSyntax, CrossedTagsNameBoth) {
       HasSubstr("</scale> is missing before it, or a / in front of the > that ends its tag"));
 }
 
+TEST(XmlSyntax, ASurplusClosingTagIsBlamed) {
+  EXPECT_THAT(said("<scenefile>\n<object type=\"tree\" name=\"root\">\n</object>\n</object>"),
+              Contains("4:1 </object> has no opening tag <object>"));
+  EXPECT_THAT(said("<scenefile>\n<object type=\"tree\" name=\"root\">\n</scenfile>"),
+              Contains(HasSubstr("3:1 </scenfile> cannot close <object>")));
+}
+
 TEST(XmlSyntax, ValuesThatAreNotClosedAreNamed) {
   const std::string not_closed =
       "4:1 <scale> is not closed before </transblock>; a tag without contents ends with />";
@@ -86,6 +93,8 @@ TEST(XmlSyntax, OtherFaultsAreNamed) {
   EXPECT_EQ(one("<a b=\"R&D\"/>"), "4:8 a bare & is not allowed; write &amp;");
   EXPECT_EQ(one("<a b=\"salt&pepper-1.obj\"/>"), "4:11 a bare & is not allowed; write &amp;");
   EXPECT_EQ(one("<a b=\"1\", c=\"2\"/>"), "4:9 attributes are separated by spaces, not by commas");
+  EXPECT_THAT(one("<a b=\"1\"; c=\"2\"/>"), HasSubstr("not by semicolons"));
+  EXPECT_THAT(one("<a <!-- c --> b=\"1\"/>"), HasSubstr("4:4 a comment cannot be inside a tag"));
   EXPECT_EQ(one("<a b=\"1\"/ >"), "4:10 the / that ends a tag must be directly followed by >");
   EXPECT_THAT(one("<a b=\"1\"\\>"), HasSubstr("or with /> where nothing is inside"));
   EXPECT_EQ(one("<<a/>"), "4:2 two < in a row; one is enough");

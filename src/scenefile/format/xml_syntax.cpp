@@ -283,13 +283,16 @@ std::string mismatch_message(std::string_view text, std::size_t at,
                              std::span<const OpenElement> open) {
   const std::string_view name = closing_name(text, at);
   const std::string closing = escaped(name, 40);
-  if (open.empty()) {
+  if (closes_inner(name, open)) {
+    return misspelled_end(name, open.back());
+  }
+  const bool is_open = std::any_of(open.begin(), open.end(), [&](const OpenElement& e) {
+    return e.name == name || !nearest_name(name, std::span(&e.name, 1)).empty();
+  });
+  if (!is_open) {
     return fmt::format("</{0}> has no opening tag <{0}>", closing);
   }
   const OpenElement& inner = open.back();
-  if (closes_inner(name, open)) {
-    return misspelled_end(name, inner);
-  }
   const std::string_view slash =
       holds_elements(inner.name) ? "" : ", or a / in front of the > that ends its tag";
   return fmt::format("</{}> cannot close {}; </{}> is missing before it{}", closing,
@@ -337,8 +340,9 @@ std::string hint_before(std::string_view text, std::size_t at) {
   if (text[at] == '\\') {
     return "a tag ends with >, or with /> where nothing is inside; no \\ belongs there";
   }
-  if ((before == '"' || before == '\'') && text[at] == ',') {
-    return "attributes are separated by spaces, not by commas";
+  if ((before == '"' || before == '\'') && (text[at] == ',' || text[at] == ';')) {
+    return fmt::format("attributes are separated by spaces, not by {}",
+                       text[at] == ',' ? "commas" : "semicolons");
   }
   if (before == '"' || before == '\'') {
     return fmt::format(
@@ -380,6 +384,9 @@ std::string token_message(std::string_view text, std::size_t at) {
   }
   if (rest[0] == '&') {
     return "a bare & is not allowed; write &amp;";
+  }
+  if (rest.starts_with("<!--") && !unclosed_tag(text, at).empty()) {
+    return "a comment cannot be inside a tag; write it before or after the tag";
   }
   if (in_comment(text, at)) {
     return "-- is not allowed inside a comment; write - or == instead";

@@ -4,7 +4,6 @@
 #include "app/load.h"
 #include "app/named_files.h"
 #include "app/output.h"
-#include "scenefile/base/report.h"
 #include "scenefile/base/text.h"
 #include "scenefile/export/face_materials.h"
 #include "scenefile/export/write_gltf.h"
@@ -171,7 +170,7 @@ std::string findings_of(const LoadedScene& scene, bool quiet) {
   if (quiet || status_of(scene) != ExitCode::fine) {
     return findings_text(scene, quiet ? Verbosity::errors : Verbosity::warnings, color);
   }
-  return report_text(scene.diagnostics, shown_name(scene.path), scene.text, {.color = color});
+  return report_text(scene, scene.diagnostics, {.color = color});
 }
 
 }  // namespace

@@ -41,6 +41,19 @@ TEST_F(Check, AMistakeIsShownInItsLine) {
   EXPECT_THAT(run.out, HasSubstr("bad.xml: 1 error\n"));
 }
 
+TEST_F(Check, LinesAreShownInAnyEncoding) {
+  std::string utf16 = "\xFF\xFE";
+  for (const char c : scene_with(R"(<diffuse r="red" g="0.5" b="0"/>)")) {
+    utf16 += {c, '\0'};
+  }
+  folder.write("utf16.xml", utf16);
+  EXPECT_THAT(program({"check", "utf16.xml"}).out,
+              HasSubstr("   15 |         <diffuse r=\"red\" g=\"0.5\" b=\"0\"/>\n"
+                        "      |                  ^\n"));
+  folder.write("mark.xml", "\xEF\xBB\xBF<scene/>");
+  EXPECT_THAT(program({"convert", "mark.xml", "o.xml"}).err, Not(HasSubstr("feff")));
+}
+
 TEST_F(Check, NoColorWithoutATerminal) {
   folder.write("bad.xml", scene_with("<difuse/>"));
   EXPECT_THAT(run_program({"check", folder.path("bad.xml")}).out, Not(HasSubstr("\x1b")));

@@ -1,6 +1,6 @@
 #include "scenefile/verbs/findings.h"
 
-#include "scenefile/base/report.h"
+#include "scenefile/format/scene_text.h"
 
 #include <fmt/format.h>
 
@@ -97,6 +97,14 @@ std::string VerdictCounts::text() const {
   return fmt::format("{} scenes: {}\n", total, parts);
 }
 
+std::string report_text(const LoadedScene& scene, const Diagnostics& shown,
+                        const ReportStyle& style) {
+  std::string storage;
+  Diagnostics ignored;
+  const std::string_view text = decode_text(scene.text, storage, ignored).value_or(scene.text);
+  return report_text(shown, shown_name(scene.path), text, style);
+}
+
 std::string findings_text(const LoadedScene& scene, Verbosity verbosity, bool color) {
   const std::string name = shown_name(scene.path);
   if (scene.unreadable) {
@@ -109,7 +117,7 @@ std::string findings_text(const LoadedScene& scene, Verbosity verbosity, bool co
     });
   }
   const ReportStyle style{.color = color, .excerpt = true, .notes = verbosity == Verbosity::all};
-  std::string text = report_text(shown, name, scene.text, style);
+  std::string text = report_text(scene, shown, style);
   const bool any = shown.count(Severity::error) + shown.count(Severity::warning) != 0;
   if (!is_verdict(shown.list()) &&
       (verbosity == Verbosity::all || (any && verbosity == Verbosity::warnings))) {

@@ -2,6 +2,7 @@
 // Evaluates the findings about a scene: whether it is usable, and the human-readable report. For
 // JSON and SARIF, see scene_json.h and sarif.h.
 
+#include "scenefile/base/report.h"
 #include "scenefile/verbs/load_scene.h"
 
 #include <array>
@@ -50,6 +51,10 @@ enum class Verbosity : std::uint8_t {
   warnings,  ///< also warnings; a verdict if there are any
   all,       ///< also notes; always a verdict
 };
+
+/// The findings `shown`, with excerpts of the scene file, whatever its encoding; see report.h.
+std::string report_text(const LoadedScene& scene, const Diagnostics& shown,
+                        const ReportStyle& style);
 
 /// Findings with excerpts, and the verdict. For a scene that could not be read, the reason.
 std::string findings_text(const LoadedScene& scene, Verbosity verbosity = Verbosity::warnings,

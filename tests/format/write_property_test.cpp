@@ -163,6 +163,20 @@ RC_GTEST_PROP(WriteLaws, IsIdempotent, ()) {
   }
 }
 
+// The line with the number -0 as 0; a name may be -0, too.
+std::string with_one_zero(std::string line) {
+  for (std::size_t at = 0; (at = line.find("-0", at)) != line.npos; ++at) {
+    const std::string_view before = std::string_view(line).substr(0, at);
+    const std::string_view after = std::string_view(line).substr(at + 2);
+    const bool begins = before.ends_with(' ') || before.ends_with('[') ||
+                        (before.ends_with("=\"") && !before.ends_with("name=\""));
+    if (begins && (after.empty() || after.find_first_of("\",]") == 0)) {
+      line.erase(at, 1);
+    }
+  }
+  return line;
+}
+
 // The lines of a listing are those of the text, in which both zeros are one value, without commas,
 // and without what has no effect: the names of the scene and of lights, ids, values of lights that
 // their types do not use.
@@ -186,6 +200,7 @@ RC_GTEST_PROP(WriteLaws, ListingsAreTheTextWithoutWhatHasNoEffect, ()) {
         continue;
       }
       wanted.resize(wanted.size() - (wanted.ends_with(',') ? 1 : 0));
+      wanted = with_one_zero(wanted);
       RC_ASSERT(line < listing.lines.size());
       RC_ASSERT(std::string(std::size_t{2} * listing.lines[line].depth, ' ') +
                     std::string(listing.line(line)) ==

@@ -49,6 +49,22 @@ TEST(ComparePictures, ProgressNeverGoesBack) {
   EXPECT_TRUE(found.drawn_exactly);
 }
 
+// As many scattered pixels would count as details, but edges do not fill squares.
+TEST(ComparePictures, ASmallAreaIsNotADetail) {
+  Texture reference{128, 96, {}};
+  reference.rgb.assign(std::size_t{3} * 128 * 96, 40);
+  Texture scattered = reference;
+  Texture area = reference;
+  for (std::size_t i = 0; i < 9; ++i) {
+    scattered.rgb[3 * (10 + 1000 * i)] = 200;
+    area.rgb[3 * (128 * (50 + i / 3) + 60 + i % 3)] = 200;
+  }
+  EXPECT_TRUE(find_causes(reference, scattered).only_details);
+  EXPECT_FALSE(find_causes(reference, area).only_details);
+  EXPECT_EQ(find_causes(reference, area).share_different,
+            find_causes(reference, scattered).share_different);
+}
+
 // The ball with a highlight, larger, on a table.
 std::string still_life(const std::string& diffuse, const std::string& specular) {
   return R"(<scenefile>

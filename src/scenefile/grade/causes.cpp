@@ -689,6 +689,7 @@ CauseReport look_for_causes(Simulation& sim, LookFor asked) {
   const Pixels pixels = sim.sorted();
   const double all = static_cast<double>(sim.test.width) * sim.test.height;
   report.share_different = static_cast<double>(pixels.different.size()) / all;
+  report.only_details = only_details(pixels, sim.test);
   report.share_scene_unlike = sim.look_at_scene();
   if (pixels.off.size() < few_pixels && pixels.different.size() < few_pixels) {
     return report;
@@ -830,6 +831,7 @@ std::optional<CauseReport> causes_beside_order(const Texture& reference, const T
   rest.claims.insert(rest.claims.begin(), std::move(order));
   const Pixels pixels = sorted_pixels(reference, test);
   rest.share_different = double(pixels.different.size()) / (double(test.width) * test.height);
+  rest.only_details = only_details(pixels, test);
   return rest;
 }
 

@@ -118,6 +118,9 @@ struct MistakenPixel {
   glm::dvec3 followed{0};
 };
 
+/// If at most this share of the pixels differs, pictures are the same.
+inline constexpr double max_share_same = 0.001;
+
 struct CauseReport {
   /// Mistakes that together explain the difference. Empty if no known mistakes do.
   std::vector<Claim> claims;
@@ -135,6 +138,8 @@ struct CauseReport {
   std::optional<MistakenPixel> asked;
   /// Fraction of pixels that differ by more than edges and rounding explain.
   double share_different = 0;
+  /// Whether these are so few, and so scattered, that the pictures count as the same.
+  bool only_details = true;
   /// Fraction of pixels where our picture of the scene differs from the reference. If it is large,
   /// there are no claims that need the scene. 1 without a scene.
   double share_scene_unlike = 1;

@@ -1,5 +1,7 @@
 #include "scenefile/grade/evidence.h"
 
+#include "scenefile/grade/causes.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -132,6 +134,20 @@ void add_differing_points(const Texture& reference, const Texture& test,
   }
   const std::vector<Point> both = alternating(of_dark, of_bright);
   points.insert(points.end(), both.begin(), both.end());
+}
+
+bool only_details(const Pixels& pixels, const Texture& test) {
+  const std::vector<std::uint32_t>& all = pixels.different;  // in ascending order
+  const auto width = static_cast<std::uint32_t>(test.width);
+  // Whether three pixels in a row differ from this one on.
+  const auto three = [&](std::uint32_t first) {
+    const auto at = std::lower_bound(all.begin(), all.end(), first);
+    return all.end() - at > 2 && at[0] == first && at[2] == first + 2 && first % width + 2 < width;
+  };
+  return double(all.size()) <= max_share_same * test.width * test.height &&
+         std::none_of(all.begin(), all.end(), [&](std::uint32_t first) {
+           return three(first) && three(first + width) && three(first + 2 * width);
+         });
 }
 
 Pixels sorted_pixels(const Texture& reference, const Texture& test,

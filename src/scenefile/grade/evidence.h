@@ -83,6 +83,9 @@ struct Pixels {
   std::vector<std::uint32_t> same;
   std::vector<std::uint32_t> off;  ///< pixels that differ by more than 8/255, including edges
 };
+/// Whether at most `max_share_same` of the pixels differ, and nowhere all of 3x3 pixels: those at
+/// an edge do not fill a square, but a small object that is missing does.
+bool only_details(const Pixels& pixels, const Texture& test);
 /// `noise`: as in SceneView. Pixels that are no evidence are left out.
 Pixels sorted_pixels(const Texture& reference, const Texture& test,
                      const std::vector<float>& noise = {});

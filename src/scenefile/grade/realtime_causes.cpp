@@ -63,6 +63,7 @@ class Search {
     const Pixels pixels = sorted_pixels(reference_, test_);
     const double all = static_cast<double>(test_.width) * test_.height;
     report_.share_different = static_cast<double>(pixels.different.size()) / all;
+    report_.only_details = only_details(pixels, test_);
     if (!drawn_.usable()) {
       return report_;
     }

@@ -131,8 +131,7 @@ PictureComparison compare(const Texture& given, const Texture& test, const Image
       found.where->region = in_picture(found.where->region, in_test.corner, in_test.scale);
     }
     if (found.other_size() && found.causes.claims.empty()) {
-      found.right_at_other_size =
-          found.causes.share_different < max_share_same || !found.causes.notes.empty();
+      found.right_at_other_size = found.causes.only_details || !found.causes.notes.empty();
     }
   }
   return found;

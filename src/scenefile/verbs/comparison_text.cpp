@@ -38,7 +38,7 @@ std::string causes_text(const PictureComparison& found) {
   } else if (report.claims.empty() && found.measures.same_size && found.scene_fits()) {
     text += !report.notes.empty()
                 ? "cause: none; the pictures only differ in that, at edges and by rounding\n"
-            : report.share_different < max_share_same
+            : report.only_details
                 ? "cause: none; the pictures only differ at edges and by rounding\n"
             : found.other_outlines
                 ? "cause: no known mistake explains the difference, and few edges match: is this a "

@@ -50,8 +50,6 @@ std::vector<DrawnWay> ways_drawn(const Texture& reference, const LoadedScene& sc
 double share_unlike(const Texture& picture, const LoadedScene& scene, const DrawnWay& way);
 /// If more than this share differs, the scene or its settings are not those of the reference.
 inline constexpr double max_share_unlike = 0.1;
-/// If at most this share differs, pictures are the same.
-inline constexpr double max_share_same = 0.001;
 
 /// The part of the picture of a scene that is compared: members of SceneView.
 struct ComparedPart {

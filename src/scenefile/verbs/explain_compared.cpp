@@ -49,8 +49,8 @@ std::vector<TermWith> terms_with(const LoadedScene& loaded, const Terms& ours,
 bool shows_nothing(const PictureComparison& found) {
   const CauseReport& causes = found.causes;
   return !found.broken.empty() && causes.claims.empty() && causes.partial.empty() &&
-         causes.notes.empty() && causes.share_different >= max_share_same && found.scene_fits() &&
-         !found.exchanged && !found.right_at_other_size;
+         causes.notes.empty() && !causes.only_details && found.scene_fits() && !found.exchanged &&
+         !found.right_at_other_size;
 }
 
 void add_compared(const LoadedScene& scene, const std::array<std::uint8_t, 3>& value,

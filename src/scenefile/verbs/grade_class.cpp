@@ -63,7 +63,7 @@ void follow_causes(const PictureComparison& compared, PictureResult& result) {
                       compared.measures.difference.psnr_db)};
     }
   } else if (report.partial.empty() && !compared.other_size() &&
-             (report.share_different < max_share_same || !report.notes.empty())) {
+             (report.only_details || !report.notes.empty())) {
     result.verdict = Verdict::passed;
     result.reasons.clear();
   }

@@ -50,7 +50,7 @@ bool explained_by_one(const CauseReport& report) {
   const auto explains = [](const std::vector<Claim>& claims) {
     return claims.size() == 1 && claims.front().explained > 0.95;
   };
-  return report.share_different < max_share_same || explains(report.claims) ||
+  return report.only_details || explains(report.claims) ||
          (report.claims.empty() && explains(report.notes));
 }
 
@@ -137,8 +137,8 @@ CauseReport causes_of(const Looked& look, const LoadedScene& scene,
 }
 
 bool explains_nothing(const CauseReport& report) {
-  return report.share_scene_unlike <= max_share_unlike &&
-         report.share_different >= max_share_same && report.claims.empty() && report.notes.empty();
+  return report.share_scene_unlike <= max_share_unlike && !report.only_details &&
+         report.claims.empty() && report.notes.empty();
 }
 
 // Whether the pictures were probably given in the wrong order: `test` is right, and a mistake

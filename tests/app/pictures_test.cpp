@@ -784,6 +784,22 @@ TEST_F(Grade, TexturesOfScenesAreNotReferences) {
               HasSubstr("mine  1 of 1 passed"));
 }
 
+TEST_F(Grade, ScenesThatNameNoMistakesAreSaid) {
+  make_folders({"right", "mine", "scenes"});
+  folder.write("right/ball.png", folder.read("right.png"));
+  folder.write("mine/ball.png", folder.read("wrong.png"));
+  folder.write("scenes/box.xml", ball("0.2"));
+  const Words words{"grade", "mine", "--references", "right", "--scenes", "scenes"};
+  EXPECT_EQ(program(words).err,
+            "note: no scene has the name of ball: most mistakes in its pictures cannot be named\n");
+  std::string other = ball("0.2");
+  other.replace(other.find("v=\"40\""), 6, "v=\"12\"");
+  folder.write("scenes/ball.xml", other);
+  const ProgramRun run = program(words);
+  EXPECT_EQ(run.err, "");
+  EXPECT_THAT(run.out, HasSubstr("of the pixels, so most mistakes cannot be named\n"));
+}
+
 TEST_F(Grade, GradescopeIsForOneStudent) {
   make_folders({"right", "class/anna", "class/ben"});
   for (const char* name : {"right", "class/anna", "class/ben"}) {

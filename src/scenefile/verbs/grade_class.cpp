@@ -16,6 +16,7 @@
 #include "scenefile/verbs/render_error.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -90,6 +91,7 @@ struct ClassGrader::State {
 
   // Finds the pictures of all students.
   Result<void> find_pictures() {
+    note_missing_scenes();
     ClassFiles found = find_class_files(request_.handed_in, references_.files);
     ignored_ = std::move(found.ignored);
     for (const std::string& path : found.paths) {
@@ -186,6 +188,27 @@ struct ClassGrader::State {
   void enter(const char* phase) const {
     if (entering_) {
       entering_(phase);
+    }
+  }
+
+  // Without scenes, no causes are expected; but if there are some, names may be wrong.
+  void note_missing_scenes() {
+    std::vector<std::string> without;
+    for (const ClassReference& reference : references_.all) {
+      if (!reference.scene) {
+        without.push_back(escaped(reference.name));
+      }
+    }
+    const bool some = without.size() < references_.all.size() || !request_.scenes.empty();
+    if (some && !without.empty()) {
+      constexpr std::size_t most = 4;
+      const std::size_t more = without.size() - std::min(without.size(), most);
+      without.resize(without.size() - more);
+      notes_.push_back(
+          fmt::format("no scene has the name of {}{}: most mistakes in {} pictures "
+                      "cannot be named",
+                      fmt::join(without, ", "), more > 0 ? fmt::format(" and {} more", more) : "",
+                      without.size() + more == 1 ? "its" : "their"));
     }
   }
 
@@ -396,6 +419,12 @@ struct ClassGrader::State {
     }
     if (picture->not_finite > 0) {
       result.notes.push_back(not_finite_text(*picture));
+    }
+    if (result.verdict == Verdict::differs && !compared.scene_fits() && result.causes.empty()) {
+      result.reasons.push_back(
+          fmt::format("our picture of the scene differs from the reference in {:.0f} % of the "
+                      "pixels, so most mistakes cannot be named",
+                      100 * compared.causes.share_scene_unlike));
     }
     if (result.verdict == Verdict::differs && settings.lossy) {
       result.reasons.emplace_back("it is a JPEG, which changes colors: a PNG is needed");

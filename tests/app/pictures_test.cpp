@@ -842,6 +842,16 @@ TEST_F(Grade, PicturesThatMatchNothingAreListed) {
 }
 
 #ifdef SCENEFILE_ARCHIVE
+TEST_F(Grade, ThePathsOfAFolderAndItsArchiveDiffer) {
+  make_folders({"right", "class/ada", "class/ben"});
+  folder.write("right/ball.png", folder.read("right.png"));
+  folder.write("class/ada/ball.png", folder.read("right.png"));
+  folder.write("class/ada.zip", write_archive("a.zip", {{"ball.png", folder.read("wrong.png")}}));
+  const ProgramRun run = program({"grade", "class", "--references", "right", "--json"});
+  EXPECT_THAT(run.out, HasSubstr("two pictures match: ada/ball.png was graded, "
+                                 "ada.zip/ball.png was not"));
+}
+
 TEST_F(Grade, ArchivesAreFoldersAndNobodyIsLost) {
   make_folders({"right", "class/ada"});
   folder.write("right/test_ball.png", folder.read("right.png"));

@@ -239,10 +239,13 @@ struct ClassGrader::State {
       std::string reason = "no reference has its name";
       if (unused.reference >= 0) {
         const auto r = static_cast<std::size_t>(unused.reference);
-        const std::string taken =
-            path_below(pictures[static_cast<std::size_t>(matches.pictures[r])]);
-        student.notes[r].push_back(
-            fmt::format("two pictures match: {} was graded, {} was not", taken, path));
+        const FoundFile& graded = pictures[static_cast<std::size_t>(matches.pictures[r])];
+        const FoundFile& other = pictures[unused.picture];
+        // A folder and an archive of the same student may contain the same paths.
+        const bool alike = path_below(graded) == path;
+        const std::string taken = alike ? path_in_class(graded) : path_below(graded);
+        student.notes[r].push_back(fmt::format("two pictures match: {} was graded, {} was not",
+                                               taken, alike ? path_in_class(other) : path));
         reason = fmt::format("{} is used for {}", taken, names[r]);
       } else if (!unused.several.empty()) {
         reason = "its name fits several references:";

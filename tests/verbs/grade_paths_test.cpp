@@ -19,6 +19,7 @@ namespace scenefile {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 constexpr const char* room = R"(<scenefile>
 <globaldata><ambientcoeff v="0.5"/><diffusecoeff v="0.5"/><specularcoeff v="0.5"/></globaldata>
@@ -149,6 +150,12 @@ TEST_F(GradePaths, ReadsConfigurations) {
   const Result<std::vector<PathReference>> broken = path_references(path("broken"), "", options());
   ASSERT_FALSE(broken);
   EXPECT_THAT(broken.error().text, HasSubstr("a.ini"));
+  EXPECT_THAT(broken.error().text, Not(HasSubstr("a.ini:0")));
+  write("twice/a.ini", configured("full", "false"));
+  write("twice/b.ini", configured("full", "true"));
+  const Result<std::vector<PathReference>> twice = path_references(path("twice"), "", options());
+  ASSERT_FALSE(twice);
+  EXPECT_THAT(twice.error().text, HasSubstr("b.ini name the same output, \"out/final/full.png\""));
 }
 
 TEST_F(GradePaths, JudgesPicturesWithinTheirNoise) {

@@ -22,7 +22,9 @@ Claim claim_of(const PathClaim& claim) {
 Error config_error(const std::string& path, const Diagnostics& diagnostics) {
   for (const Diagnostic& d : diagnostics.list()) {
     if (d.severity == Severity::error) {
-      return {fmt::format("{}:{}: {}", escaped(path, 400), d.location.line, escaped(d.message)),
+      return {fmt::format("{}{}: {}", escaped(path, 400),
+                          d.location.known() ? fmt::format(":{}", d.location.line) : "",
+                          escaped(d.message)),
               ErrorKind::input};
     }
   }
@@ -52,9 +54,18 @@ Result<std::vector<PathReference>> path_references(const std::string& folder,
     if (config.kind != ConfigKind::path) {
       continue;
     }
+    FoundFile file = found_file("", config.output);
+    file.path = path;
+    for (const PathReference& other : references) {
+      if (other.file.stem == file.stem && other.file.folders == file.folders) {
+        return Error{
+            fmt::format("{} and {} name the same output, {}", escaped(other.file.path, 400),
+                        escaped(path, 400), quoted(config.output, 400)),
+            ErrorKind::input};
+      }
+    }
     PathReference& one = references.emplace_back();
-    one.file = found_file("", config.output);
-    one.file.path = path;
+    one.file = std::move(file);
     one.text = *std::move(text);
     one.scene = scenes.empty() ? config.scene : scenes + '/' + config.scene;
     one.options = options;

@@ -34,6 +34,10 @@ TEST(Measure, EachThresholdIsHeldByItself) {
   EXPECT_THAT(broken_thresholds({.max_mean = 10}, m), IsEmpty());
   EXPECT_THAT(broken_thresholds({.max_mean = 9.5}, m),
               ElementsAre("the mean difference is 10.000/255, more than 9.5"));
+  PictureMeasures close = m;
+  close.difference.psnr_db = 28.1291;
+  EXPECT_THAT(broken_thresholds({.min_psnr_db = 28.13}, close),
+              ElementsAre("PSNR is 28.129 dB, less than 28.13"));
   EXPECT_THAT(broken_thresholds({.max_difference = 10}, m), IsEmpty());
   EXPECT_THAT(broken_thresholds({.max_difference = 9}, m),
               ElementsAre("the maximum difference is 10/255, more than 9"));

@@ -5,7 +5,28 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
+#include <string>
+
 namespace scenefile {
+
+namespace {
+
+// The value with as many digits as it takes to be on its side of the limit after rounding.
+std::string text_beside(double value, double limit, int digits) {
+  constexpr int most_digits = 17;
+  std::string text = fmt::format("{:.{}f}", value, digits);
+  const auto misleads = [&] {
+    const double rounded = std::strtod(text.c_str(), nullptr);
+    return value < limit ? rounded >= limit : rounded <= limit;
+  };
+  while (misleads() && digits < most_digits) {
+    text = fmt::format("{:.{}f}", value, ++digits);
+  }
+  return text;
+}
+
+}  // namespace
 
 PictureMeasures measure(const Texture& reference, const Texture& test, int threshold,
                         std::vector<float>* flip_errors) {
@@ -32,14 +53,17 @@ PictureMeasures measure(const Texture& reference, const Texture& test, int thres
 std::vector<std::string> broken_thresholds(const Thresholds& thresholds,
                                            const PictureMeasures& measures) {
   std::vector<std::string> broken;
-  const auto at_least = [&](const auto& least, double value, const char* words) {
+  const auto at_least = [&](const auto& least, double value, int digits, const char* words) {
     if (least && !(value >= *least)) {
-      broken.push_back(fmt::format(fmt::runtime(words), value, *least));
+      broken.push_back(
+          fmt::format(fmt::runtime(words), text_beside(value, *least, digits), *least));
     }
   };
-  const auto at_most = [&](const auto& most, double value, double scale, const char* words) {
+  const auto at_most = [&](const auto& most, double value, double scale, int digits,
+                           const char* words) {
     if (most && !(value <= *most)) {
-      broken.push_back(fmt::format(fmt::runtime(words), scale * value, scale * *most));
+      broken.push_back(fmt::format(
+          fmt::runtime(words), text_beside(scale * value, scale * *most, digits), scale * *most));
     }
   };
   if (!measures.same_size) {
@@ -50,16 +74,15 @@ std::vector<std::string> broken_thresholds(const Thresholds& thresholds,
   if (thresholds == Thresholds{} && measures.difference.max > 0) {
     broken.emplace_back("the pictures are not equal");
   }
-  at_least(thresholds.min_psnr_db, measures.difference.psnr_db,
-           "PSNR is {:.2f} dB, less than {:g}");
-  at_most(thresholds.max_mean, measures.difference.mean, 1,
-          "the mean difference is {:.3f}/255, more than {:g}");
-  at_most(thresholds.max_difference, measures.difference.max, 1,
-          "the maximum difference is {:g}/255, more than {:g}");
-  at_most(thresholds.max_share, measures.difference.share_over, 100,
-          "{:.3f} % of the pixels are off, more than {:g} %");
-  at_least(thresholds.min_ssim, measures.ssim, "SSIM is {:.4f}, less than {:g}");
-  at_most(thresholds.max_flip, measures.flip_mean, 1, "FLIP is {:.4f}, more than {:g}");
+  at_least(thresholds.min_psnr_db, measures.difference.psnr_db, 2, "PSNR is {} dB, less than {:g}");
+  at_most(thresholds.max_mean, measures.difference.mean, 1, 3,
+          "the mean difference is {}/255, more than {:g}");
+  at_most(thresholds.max_difference, measures.difference.max, 1, measures.linear ? 4 : 0,
+          "the maximum difference is {}/255, more than {:g}");
+  at_most(thresholds.max_share, measures.difference.share_over, 100, 3,
+          "{} % of the pixels are off, more than {:g} %");
+  at_least(thresholds.min_ssim, measures.ssim, 4, "SSIM is {}, less than {:g}");
+  at_most(thresholds.max_flip, measures.flip_mean, 1, 4, "FLIP is {}, more than {:g}");
   return broken;
 }
 

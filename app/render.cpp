@@ -215,7 +215,8 @@ std::string work_text(const RenderReport& report) {
   const std::uint64_t rays =
       report.stats.primary_rays + report.stats.shadow_rays + report.stats.secondary_rays;
   const std::string samples = report.options.mode == Mode::path
-                                  ? fmt::format("{} samples per pixel, ", report.options.samples)
+                                  ? fmt::format("{} sample{} per pixel, ", report.options.samples,
+                                                report.options.samples == 1 ? "" : "s")
                                   : std::string();
   return fmt::format("{}{:.2f} million rays", samples, static_cast<double>(rays) / 1e6);
 }

@@ -72,7 +72,7 @@ TEST_F(RenderLayers, InvalidOptionsAreUsageErrors) {
   } cases[] = {
       {{"--aov", "normals"}, "did you mean normal?"},
       {{"--aov", "depth,depth"}, "is in the list twice"},
-      {{"--aov", "light-2"}, "the scene has no light-2, but 1 lights"},
+      {{"--aov", "light-2"}, "the scene has no light-2, but 1 light"},
       {{"--crop", "1,2,3"}, "is not a region such as"},
       {{"--crop", "1,2,3,4,5"}, "is not a whole number"},
       {{"--crop", "5,5,5,9"}, "contains no pixels"},

@@ -138,7 +138,7 @@ std::string missing_light(std::span<const Layer> layers, std::size_t lights) {
   for (const Layer& layer : layers) {
     if (layer.kind == LayerKind::light && layer.light >= lights) {
       return "the scene has no " + layer_name(layer) + ", but " + std::to_string(lights) +
-             " lights";
+             (lights == 1 ? " light" : " lights");
     }
   }
   return {};

@@ -70,13 +70,21 @@ UsedFile named_file(std::string_view role, const std::string& path) {
 
 Result<void> add_named_files(const Command& command, const Options& options, UsedFiles& files) {
   const std::vector<std::string> words = argument_words(command);
+  bool stdin_is_read = false;
+  const auto claim_input = [&](std::string_view name, const std::string& path) -> Result<void> {
+    if (path != "-") {
+      return files.read(named_file(role_of(name), path));
+    }
+    if (std::exchange(stdin_is_read, true)) {
+      return Error{"standard input can be read only once", ErrorKind::usage};
+    }
+    return files.read({path, "the file on standard input"});
+  };
   Result<void> added;
   for (std::size_t i = 0; i < options.arguments.size() && !words.empty() && added; ++i) {
     const std::string& word = words[std::min(i, words.size() - 1)];
     const std::string& path = options.arguments[i];
-    added = word == "OUT" ? files.write(named_file("output", path))
-                          : files.read(path == "-" ? UsedFile{path, "the file on standard input"}
-                                                   : named_file(role_of(word), path));
+    added = word == "OUT" ? files.write(named_file("output", path)) : claim_input(word, path);
   }
   std::string on_stdout = options.json ? "the answer of --json" : "";
   const auto claim_stdout = [&](const UsedFile& file) {
@@ -91,11 +99,10 @@ Result<void> add_named_files(const Command& command, const Options& options, Use
                                               ErrorKind::usage});
   };
   for (const auto& [row, value] : options.given) {
-    const UsedFile file = named_file(role_of(row->name), value);
     if (added && row->value == "OUT") {
-      added = claim_stdout(file);
+      added = claim_stdout(named_file(role_of(row->name), value));
     } else if (added && contains(words_for_inputs, row->value)) {
-      added = files.read(file);
+      added = claim_input(row->name, value);
     }
   }
   return added;

@@ -95,6 +95,15 @@ TEST(Usage, RejectsTwoOutputsOnStandardOutput) {
             "cannot both go to standard output");
 }
 
+TEST(Usage, StandardInputIsReadOnlyOnce) {
+  const char* const once = "standard input can be read only once";
+  is_misuse({"check", "-", "-"}, once);
+  is_misuse({"diff", "a.png", "-", "--scene", "-"}, once);
+  is_misuse({"explain", "-", "--pixel", "0,0", "--mine", "-"}, once);
+  is_misuse({"explain", "a.xml", "--pixel", "0,0", "--mine", "-", "--reference", "-"}, once);
+  is_misuse({"frames", "-", "--path", "-", "-o", "f%d.png"}, once);
+}
+
 TEST(Usage, ValidatesValues) {
   const auto render = [](const std::string& option, const std::string& value) {
     return std::vector<std::string>{"render", "a.xml", "-o", "b.png", option, value};

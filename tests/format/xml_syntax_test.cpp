@@ -94,6 +94,8 @@ TEST(XmlSyntax, OtherFaultsAreNamed) {
   EXPECT_EQ(one("<a b=\"salt&pepper-1.obj\"/>"), "4:11 a bare & is not allowed; write &amp;");
   EXPECT_EQ(one("<a b=\"1\", c=\"2\"/>"), "4:9 attributes are separated by spaces, not by commas");
   EXPECT_THAT(one("<a b=\"1\"; c=\"2\"/>"), HasSubstr("not by semicolons"));
+  EXPECT_EQ(one("<a b='x & y'/>"), "4:9 a bare & is not allowed; write &amp;");
+  EXPECT_EQ(one("<a&b c='1'/>"), "4:3 \"&\" is not expected here");
   EXPECT_THAT(one("<a <!-- c --> b=\"1\"/>"), HasSubstr("4:4 a comment cannot be inside a tag"));
   EXPECT_EQ(one("<a b=\"1\"/ >"), "4:10 the / that ends a tag must be directly followed by >");
   EXPECT_THAT(one("<a b=\"1\"\\>"), HasSubstr("or with /> where nothing is inside"));

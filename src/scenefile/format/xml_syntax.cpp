@@ -306,19 +306,28 @@ bool in_comment(std::string_view text, std::size_t at) {
          text.substr(open, at - open).find("-->") == std::string_view::npos;
 }
 
-// The offset is a `<` inside a tag, but not inside a value: a hint about that tag.
+// Whether the offset is inside a tag, but not inside a value.
+bool in_tag(std::string_view text, std::size_t at) {
+  std::size_t i = at == 0 ? std::string_view::npos : text.rfind('<', at - 1);
+  char quote = '\0';
+  for (; i < at && (quote != '\0' || text[i] != '>'); ++i) {
+    const char c = text[i];
+    if (quote != '\0' ? c == quote : c == '"' || c == '\'') {
+      quote = quote == '\0' ? c : '\0';
+    }
+  }
+  return i == at && quote == '\0';
+}
+
+// The offset is a `<`; if it is inside a tag, but not inside a value: a hint about that tag.
 std::string unclosed_tag(std::string_view text, std::size_t at) {
-  const std::size_t open = at == 0 ? std::string_view::npos : text.find_last_of("<>", at - 1);
-  if (open == std::string_view::npos || text[open] != '<') {
+  if (!in_tag(text, at)) {
     return {};
   }
+  const std::size_t open = text.rfind('<', at - 1);
   const std::string_view tag = text.substr(open, at - open);
   if (tag.size() == 1) {
     return "two < in a row; one is enough";
-  }
-  const auto quotes = std::count(tag.begin(), tag.end(), '"');
-  if (quotes % 2 != 0) {
-    return {};
   }
   const bool closing = tag.starts_with("</");
   return fmt::format("the tag <{}{}> of line {} is missing its >{}", closing ? "/" : "",
@@ -382,10 +391,10 @@ std::string token_message(std::string_view text, std::size_t at) {
   if (is_odd_blank(c.value)) {
     return odd_blank_text(c.value);
   }
-  if (rest[0] == '&') {
+  if (rest[0] == '&' && !in_tag(text, at)) {
     return "a bare & is not allowed; write &amp;";
   }
-  if (rest.starts_with("<!--") && !unclosed_tag(text, at).empty()) {
+  if (rest.starts_with("<!--") && in_tag(text, at)) {
     return "a comment cannot be inside a tag; write it before or after the tag";
   }
   if (in_comment(text, at)) {
@@ -443,7 +452,8 @@ std::optional<Correction> correction_of(const XmlFault& fault, std::string_view 
   if (fault.kind == SyntaxFault::tag_mismatch && closes_inner(closing_name(text, at), open)) {
     return correction(closing_name(text, at), open.back().name);
   }
-  if (fault.kind == SyntaxFault::invalid_token && text.substr(at).starts_with('&')) {
+  if (fault.kind == SyntaxFault::invalid_token && text.substr(at).starts_with('&') &&
+      !in_tag(text, at)) {
     return Correction{"&", "&"};
   }
   return std::nullopt;

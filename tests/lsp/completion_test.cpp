@@ -87,6 +87,8 @@ TEST(LspCompletion, KeepsWhatFollows) {
   EXPECT_EQ(completed("<object type='pri|mitive'/>", "tree"), "<object type='tree'/>");
   EXPECT_EQ(completed(R"({"globalData": {"am|bient": 1}})", "\"ambientCoeff\""),
             R"({"globalData": {"ambientCoeff": 1}})");
+  EXPECT_EQ(completed(R"({"globalData": {| "diffuseCoeff": 1}})", "\"ambientCoeff\""),
+            R"({"globalData": {"ambientCoeff": 0.5, "diffuseCoeff": 1}})");
 }
 
 TEST(LspCompletion, WordsHaveMeanings) {

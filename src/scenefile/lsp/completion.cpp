@@ -300,13 +300,14 @@ Completion complete_json(std::string_view text, std::size_t offset) {
   const bool closed = in_string && word < text.size() && text[word] == '"';
   Completion result{in_string ? string : word_start(text, offset), closed ? word + 1 : offset, {}};
   if (here.wants_key) {
-    const std::size_t next = text.find_first_not_of(npos_blanks, result.to);
-    const bool has_colon = next != std::string_view::npos && text[next] == ':';
+    const char next = next_character(text, result.to);
     for (const KeyWord& key : object->keys) {
       if (std::find(here.keys.begin(), here.keys.end(), key.name) == here.keys.end()) {
         const std::string label = fmt::format("\"{}\"", key.name);
-        result.items.push_back({label, WordKind::attribute, key.about,
-                                has_colon ? label : fmt::format("{}: {}", label, key.example)});
+        const std::string_view separator = next == '"' ? "," : "";
+        result.items.push_back(
+            {label, WordKind::attribute, key.about,
+             next == ':' ? label : fmt::format("{}: {}{}", label, key.example, separator)});
       }
     }
     return result;

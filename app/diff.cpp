@@ -256,6 +256,15 @@ ExitCode run_diff(const Options& options, Context& context) {
   if (pictures) {
     return diff_images(options, std::move(inputs), context);
   }
+  constexpr std::pair<std::string_view, std::string Options::*> drawings[] = {
+      {"--heatmap", &Options::heatmap},
+      {"--energy", &Options::energy},
+      {"--sheet", &Options::sheet}};
+  for (const auto& [name, output] : drawings) {
+    if (!(options.*output).empty()) {
+      return fail(ExitCode::usage, fmt::format("{} is for pictures, not for scenes", name));
+    }
+  }
   inputs.clear();
   return diff_scenes(options, context);
 }

@@ -63,6 +63,13 @@ TEST_F(DiffScenes, UnreadableFilesAreErrorsNotDifferences) {
   EXPECT_EQ(run_program({"diff", a}).status, 2);
 }
 
+TEST_F(DiffScenes, DrawsNothing) {
+  const std::string a = folder.write("a.xml", good_scene);
+  const ProgramRun run = program({"diff", a, a, "--heatmap", "h.png"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.err, HasSubstr("--heatmap is for pictures"));
+}
+
 TEST_F(DiffScenes, PrintsTheReadersWarnings) {
   const std::string a = folder.write("a.xml", good_scene);
   const std::string b = folder.write("b.xml", scene_with(R"(<ior value="1"/>)"));

@@ -263,6 +263,13 @@ TEST(Fix, TheWordMayBeAtAnotherPlace) {
             "<scenefile>\n<object type='tree' name='root'/>\n</scenefile>");
 }
 
+TEST(Fix, WritesTheNameOfTheRootInSmallLetters) {
+  std::string text = xml_with(R"(<object type="master" name="chair"/>)");
+  const std::string fixed = text;
+  text.replace(text.find("name=\"root\""), 11, "name=\"Root\"");
+  EXPECT_EQ(fix_text(text, {}).text, fixed);
+}
+
 TEST(Fix, TheWordMayEqualTheNameOfItsAttribute) {
   EXPECT_EQ(
       corrected("<scenefile>\n<object type='tree' name='name'/>\n</scenefile>", "xml.no-root"_code),

@@ -162,6 +162,7 @@ void XmlReferences::resolve_root(const XmlContext& context, Scene& scene,
                                fmt::format("the tree {} was read as root", quoted(node.name)),
                                correction(node.name, "root"));
     scene.nodes[scene.root].children = std::exchange(node.children, {});
+    scene.nodes[scene.root].name = "root";
     scene.nodes[scene.root].location = node.location;
     templates.erase(found);
     return;

@@ -137,9 +137,10 @@ inline constexpr Code asset_codes[] = {
 };
 
 template <CodeName name>
-constexpr const Code& operator""_code() requires(find_code(asset_codes, name) != nullptr) {
-  constexpr const Code* code = find_code(asset_codes, name);
-  return *code;
+constexpr const Code& operator""_code() requires(code_index(asset_codes, name) <
+                                                 std::size(asset_codes)) {
+  constexpr std::size_t index = code_index(asset_codes, name);
+  return asset_codes[index];
 }
 
 }  // namespace scenefile

@@ -33,11 +33,20 @@ struct Code {
   std::optional<Severity> otherwise = std::nullopt;
 };
 
+/// The place of the code with that name, or the number of codes. An index, because GCC 12 cannot
+/// compare pointers to codes in constant expressions if it checks pointers (-fsanitize=undefined).
+constexpr std::size_t code_index(std::span<const Code> codes, std::string_view name) {
+  std::size_t i = 0;
+  while (i < codes.size() && codes[i].name != name) {
+    ++i;
+  }
+  return i;
+}
+
 /// The code with that name, or null.
 constexpr const Code* find_code(std::span<const Code> codes, std::string_view name) {
-  const auto found =
-      std::find_if(codes.begin(), codes.end(), [&](const Code& code) { return code.name == name; });
-  return found == codes.end() ? nullptr : &*found;
+  const std::size_t i = code_index(codes, name);
+  return i == codes.size() ? nullptr : &codes[i];
 }
 
 /// The name of a code as a template argument. Each room has an `operator""_code` that takes only

@@ -28,9 +28,10 @@ inline constexpr Code export_codes[] = {
 };
 
 template <CodeName name>
-constexpr const Code& operator""_code() requires(find_code(export_codes, name) != nullptr) {
-  constexpr const Code* code = find_code(export_codes, name);
-  return *code;
+constexpr const Code& operator""_code() requires(code_index(export_codes, name) <
+                                                 std::size(export_codes)) {
+  constexpr std::size_t index = code_index(export_codes, name);
+  return export_codes[index];
 }
 
 }  // namespace scenefile

@@ -384,9 +384,10 @@ inline constexpr Code format_codes[] = {
 };
 
 template <CodeName name>
-constexpr const Code& operator""_code() requires(find_code(format_codes, name) != nullptr) {
-  constexpr const Code* code = find_code(format_codes, name);
-  return *code;
+constexpr const Code& operator""_code() requires(code_index(format_codes, name) <
+                                                 std::size(format_codes)) {
+  constexpr std::size_t index = code_index(format_codes, name);
+  return format_codes[index];
 }
 
 }  // namespace scenefile

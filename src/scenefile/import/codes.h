@@ -31,9 +31,10 @@ inline constexpr Code import_codes[] = {
 };
 
 template <CodeName name>
-constexpr const Code& operator""_code() requires(find_code(import_codes, name) != nullptr) {
-  constexpr const Code* code = find_code(import_codes, name);
-  return *code;
+constexpr const Code& operator""_code() requires(code_index(import_codes, name) <
+                                                 std::size(import_codes)) {
+  constexpr std::size_t index = code_index(import_codes, name);
+  return import_codes[index];
 }
 
 }  // namespace scenefile

@@ -24,9 +24,10 @@ inline constexpr Code placement_codes[] = {
 };
 
 template <CodeName name>
-constexpr const Code& operator""_code() requires(find_code(placement_codes, name) != nullptr) {
-  constexpr const Code* code = find_code(placement_codes, name);
-  return *code;
+constexpr const Code& operator""_code() requires(code_index(placement_codes, name) <
+                                                 std::size(placement_codes)) {
+  constexpr std::size_t index = code_index(placement_codes, name);
+  return placement_codes[index];
 }
 
 }  // namespace scenefile

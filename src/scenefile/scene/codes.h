@@ -195,9 +195,10 @@ inline constexpr Code scene_codes[] = {
 };
 
 template <CodeName name>
-constexpr const Code& operator""_code() requires(find_code(scene_codes, name) != nullptr) {
-  constexpr const Code* code = find_code(scene_codes, name);
-  return *code;
+constexpr const Code& operator""_code() requires(code_index(scene_codes, name) <
+                                                 std::size(scene_codes)) {
+  constexpr std::size_t index = code_index(scene_codes, name);
+  return scene_codes[index];
 }
 
 }  // namespace scenefile

@@ -44,9 +44,10 @@ inline constexpr Code verbs_codes[] = {
 };
 
 template <CodeName name>
-constexpr const Code& operator""_code() requires(find_code(verbs_codes, name) != nullptr) {
-  constexpr const Code* code = find_code(verbs_codes, name);
-  return *code;
+constexpr const Code& operator""_code() requires(code_index(verbs_codes, name) <
+                                                 std::size(verbs_codes)) {
+  constexpr std::size_t index = code_index(verbs_codes, name);
+  return verbs_codes[index];
 }
 
 /// Sorted by name.

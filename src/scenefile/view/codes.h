@@ -20,9 +20,10 @@ inline constexpr Code view_codes[] = {
 };
 
 template <CodeName name>
-constexpr const Code& operator""_code() requires(find_code(view_codes, name) != nullptr) {
-  constexpr const Code* code = find_code(view_codes, name);
-  return *code;
+constexpr const Code& operator""_code() requires(code_index(view_codes, name) <
+                                                 std::size(view_codes)) {
+  constexpr std::size_t index = code_index(view_codes, name);
+  return view_codes[index];
 }
 
 }  // namespace scenefile

@@ -78,23 +78,10 @@ const CourseProgram& info_of(ConfigKind kind) {
 }
 
 std::vector<std::string> ray_words(const CourseConfig& config) {
-  std::vector<std::string_view> features;
-  const auto add = [&](bool on, std::string_view name) {
-    if (on) {
-      features.push_back(name);
-    }
-  };
-  add(config.shadows, "shadows");
-  add(config.reflect, "reflect");
-  add(config.refract, "refract");
-  add(config.texture, "texture");
-  add(config.texture_filter, "texture-filter");
-  add(config.super_sample, "super-sample");
-  add(config.depthoffield, "depthoffield");
-  std::vector<std::string> words{"--profile=course",
-                                 features.empty()
-                                     ? "--features=none"
-                                     : fmt::format("--features={}", fmt::join(features, ","))};
+  std::vector<std::string> words{
+      "--profile=course", config.features.empty()
+                              ? "--features=none"
+                              : fmt::format("--features={}", fmt::join(config.features, ","))};
   if (config.maximum_recursive_depth) {
     words.push_back(fmt::format("--max-depth={}", *config.maximum_recursive_depth));
   }

@@ -349,6 +349,9 @@ std::string vocabulary_json() {
     if (!value.fallback.empty()) {
       json.add("default", value.fallback);
     }
+    if (!value.assumed_in_xml.empty()) {
+      json.add("assumed_in_xml", value.assumed_in_xml);
+    }
     add_range(json, value.range);
     if (!value.used_by.empty()) {
       json.add({{"used_by", value.used_by}, {"needed_by", value.needed_by}});

@@ -7,7 +7,9 @@
 namespace scenefile {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 // As written by the public driver.
 const std::string good =
@@ -59,8 +61,7 @@ TEST(Config, IsReadAsTheDriverWritesIt) {
   expected.output_place = {3, 11};
   expected.width = 1024;
   expected.height = 768;
-  expected.shadows = expected.parallel = expected.super_sample = true;
-  expected.acceleration = expected.texture_filter = true;
+  expected.features = {"shadows", "super-sample", "texture-filter"};
   EXPECT_EQ(read.config, expected);
 }
 
@@ -75,8 +76,7 @@ TEST(Config, ReadsTheSpellingsOfQSettings) {
   EXPECT_EQ(read.config.scene, "a; \"b\"   c \\ \xe2\x82\xac\xc3\xa9");
   EXPECT_EQ(read.config.output, "x.png");
   EXPECT_EQ(read.config.height, 65536);
-  EXPECT_TRUE(read.config.shadows && read.config.reflect && read.config.texture_filter);
-  EXPECT_FALSE(read.config.refract || read.config.texture);
+  EXPECT_THAT(read.config.features, ElementsAre("shadows", "reflect", "texture-filter"));
   EXPECT_EQ(read.config.maximum_recursive_depth, 0);
   EXPECT_TRUE(read.config.only_render_normals);
 }
@@ -149,7 +149,7 @@ TEST(Config, KeysOfTheOtherProgramHaveNoEffect) {
   EXPECT_EQ(path.diagnostics.list().size(), 2u);
   EXPECT_TRUE(path.gives("config.unknown-key"_code));
   EXPECT_EQ(path.config.width, 512);
-  EXPECT_FALSE(path.config.shadows);
+  EXPECT_THAT(path.config.features, IsEmpty());
   const ConfigReading ray(good + "[Settings]\nsamplesPerPixel = 0\n");
   EXPECT_EQ(ray.config.kind, ConfigKind::ray);
   ASSERT_EQ(ray.diagnostics.list().size(), 1u);

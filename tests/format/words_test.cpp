@@ -1,13 +1,16 @@
 // The readers know every word that editors and the schemas explain.
 
 #include "format/reading.h"
+#include "scenefile/scene/vocabulary.h"
 #include "scenefile/scene/vocabulary_words.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <map>
+#include <sstream>
 #include <string>
+#include <string_view>
 
 namespace scenefile::testing {
 namespace {
@@ -90,6 +93,44 @@ TEST(Words, OfJsonAreKnownToTheReader) {
       expect_known(text + ends);
     }
   }
+}
+
+// The element that gives a value the numbers.
+std::string element_with(std::string_view name, std::string_view numbers) {
+  std::istringstream stream{std::string(numbers)};
+  std::string attributes;
+  std::string number;
+  for (const AttributeWord& attribute : find_element(name)->attributes) {
+    if (stream >> number) {
+      attributes += fmt::format(" {}=\"{}\"", attribute.name, number);
+    }
+  }
+  return with_attributes(name, attributes, "");
+}
+
+template <typename Rows>
+std::string elements_assumed(const Rows& rows) {
+  std::string elements;
+  for (const auto& row : rows) {
+    elements += row.xml_assumed.empty() ? "" : element_with(row.xml, row.xml_assumed);
+  }
+  return elements;
+}
+
+TEST(Words, AssumedValuesAreWhatTheReaderAssumes) {
+  const auto scene_with = [](const std::string& camera, const std::string& light) {
+    return with_top(fmt::format(
+        R"(<cameradata>{}</cameradata>
+<lightdata><id v="0"/><type v="spot"/><direction x="0" y="-1" z="0"/><angle v="30"/>{}</lightdata>)",
+        camera, light));
+  };
+  const std::string camera = elements_assumed(camera_rows);
+  const std::string light = elements_assumed(light_rows);
+  const Reading assumed = read(scene_with("", ""));
+  const Reading written = read(scene_with(camera, light));
+  EXPECT_EQ(assumed.diagnostics.list().size(), 7u);
+  EXPECT_EQ(written.diagnostics.list().size(), 0u) << camera << light;
+  EXPECT_TRUE(assumed.scene == written.scene) << camera << light;
 }
 
 }  // namespace

@@ -72,10 +72,10 @@ def rows_of_page():
 
 
 def default_of(value, keys):
-    """What counts if the value is missing; None if that depends, or the value must be written in XML."""
+    """What counts if the value is missing; None if that depends on other values."""
     if value["kind"] == "image":
         return "none, 1, 1"
-    text = value.get("default")
+    text = value.get("assumed_in_xml", value.get("default"))
     if text is None and not value["required_in_xml"] and (value["required_in_json"] or "needed_by" in value):
         text = keys[value["json"]].get("example")
     return text and re.sub(r"[\[\]]", "", text).replace(",", " ")

@@ -25,6 +25,9 @@ struct Path {
 };
 using Size = int CourseConfig::*;
 using Switch = bool CourseConfig::*;
+struct Feature {  // named by its key
+  bool affects_picture = true;
+};
 using Depth = std::optional<int> CourseConfig::*;
 struct Count {
   int CourseConfig::*number;
@@ -41,7 +44,7 @@ constexpr std::optional<ConfigKind> any_kind;
 
 struct Key {
   std::string_view name;  // "Section/key"
-  std::variant<Path, Size, Switch, Depth, Count, Probability> field;
+  std::variant<Path, Size, Switch, Feature, Depth, Count, Probability> field;
   std::optional<ConfigKind> kind = ConfigKind::ray;  // that it belongs to
   Absence absence = Absence::allowed;
 };
@@ -53,15 +56,15 @@ const std::array keys{
         Absence::error},
     Key{"Canvas/width", &CourseConfig::width, ConfigKind::ray, Absence::error},
     Key{"Canvas/height", &CourseConfig::height, ConfigKind::ray, Absence::error},
-    Key{"Feature/shadows", &CourseConfig::shadows},
-    Key{"Feature/reflect", &CourseConfig::reflect},
-    Key{"Feature/refract", &CourseConfig::refract},
-    Key{"Feature/texture", &CourseConfig::texture},
-    Key{"Feature/texture-filter", &CourseConfig::texture_filter},
-    Key{"Feature/super-sample", &CourseConfig::super_sample},
-    Key{"Feature/depthoffield", &CourseConfig::depthoffield},
-    Key{"Feature/parallel", &CourseConfig::parallel},
-    Key{"Feature/acceleration", &CourseConfig::acceleration},
+    Key{"Feature/shadows", Feature{}},
+    Key{"Feature/reflect", Feature{}},
+    Key{"Feature/refract", Feature{}},
+    Key{"Feature/texture", Feature{}},
+    Key{"Feature/texture-filter", Feature{}},
+    Key{"Feature/super-sample", Feature{}},
+    Key{"Feature/depthoffield", Feature{}},
+    Key{"Feature/parallel", Feature{false}},
+    Key{"Feature/acceleration", Feature{false}},
     Key{"Settings/maximum-recursive-depth", &CourseConfig::maximum_recursive_depth},
     Key{"Settings/only-render-normals", &CourseConfig::only_render_normals},
     Key{"Settings/imageWidth", &CourseConfig::width, ConfigKind::path, Absence::error},
@@ -155,11 +158,24 @@ struct ConfigReader {
     config.*field = static_cast<float>(number.value);
   }
 
-  void set(const IniEntry& entry, const Key& key, Switch field) const {
+  bool read_switch(const IniEntry& entry, const Key& key) const {
     const std::string word = lower_case(entry.value);
-    config.*field = word == "true" || word == "1";
-    if (!(config.*field) && word != "false" && word != "0" && !word.empty()) {
+    const bool on = word == "true" || word == "1";
+    if (!on && word != "false" && word != "0" && !word.empty()) {
       fail(entry, key, "true or false");
+    }
+    return on;
+  }
+
+  void set(const IniEntry& entry, const Key& key, Switch field) const {
+    config.*field = read_switch(entry, key);
+  }
+
+  void set(const IniEntry& entry, const Key& key, Feature feature) const {
+    const std::string_view name = key.name.substr(key.name.find('/') + 1);
+    std::erase(config.features, name);
+    if (read_switch(entry, key) && feature.affects_picture) {
+      config.features.push_back(name);
     }
   }
 };

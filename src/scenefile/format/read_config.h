@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace scenefile {
 
@@ -16,7 +17,7 @@ namespace scenefile {
 /// Illuminate), or that of the advanced course's assignment Path.
 enum class ConfigKind : std::uint8_t { ray, path };
 
-/// The contents of a configuration. Features that it does not mention are off.
+/// The contents of a configuration.
 struct CourseConfig {
   ConfigKind kind = ConfigKind::ray;
   std::string scene;   ///< [IO] path, as written: relative to the working directory
@@ -27,15 +28,7 @@ struct CourseConfig {
   int height = 0;  ///< [Canvas], or [Settings] imageHeight
 
   // Rays.
-  bool shadows = false;
-  bool reflect = false;
-  bool refract = false;
-  bool texture = false;
-  bool texture_filter = false;
-  bool super_sample = false;
-  bool depthoffield = false;
-  bool parallel = false;                       ///< does not affect the picture
-  bool acceleration = false;                   ///< does not affect the picture
+  std::vector<std::string_view> features;  ///< [Feature] keys that are true and affect the picture
   std::optional<int> maximum_recursive_depth;  ///< [Settings] number of bounces, 0 to 64
   bool only_render_normals = false;            ///< [Settings]
 

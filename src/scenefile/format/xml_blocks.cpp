@@ -64,11 +64,11 @@ void report_defaults(const XmlContext& context, const CameraDraft& draft) {
     const ValueRow<Camera>& row = camera_rows[i];
     const bool is_look = i == look_row;
     const bool given = draft.seen.has(i) || (is_look && draft.seen.has(focus_row));
-    if (!given && (is_look || is_needed(row.need, true))) {
+    if (!given && !row.xml_assumed.empty()) {
       context.diagnostics.report("xml.camera-default"_code, draft.camera.location,
                                  fmt::format("<cameradata> has no {}; the default {}{} is used",
                                              is_look ? "<look> or <focus>" : element_text(row.xml),
-                                             is_look ? "look " : "", row.words.start));
+                                             is_look ? "look " : "", row.xml_assumed));
     }
   }
 }
@@ -209,22 +209,22 @@ void report_unused(const XmlContext& context, const LightDraft& draft) {
 
 void report_defaults(const XmlContext& context, const LightDraft& draft) {
   const LightType type = draft.light.type;
-  const auto missing = [&](Field field, std::string_view value) {
+  const auto missing = [&](Field field) {
     const ValueRow<Light>& row = row_of(light_rows, field);
     if (light_needs(type, row, true) && !has(draft, field)) {
       context.diagnostics.report("xml.light-default"_code, draft.light.location,
                                  fmt::format("the {} light has no <{}>; the default {} is used",
-                                             word_of(type), row.xml, value));
+                                             word_of(type), row.xml, row.xml_assumed));
     }
   };
-  missing(Field::position, "3 3 3");
-  missing(Field::color, "1 1 1");
+  missing(Field::position);
+  missing(Field::color);
   if (!has(draft, Field::id) && !draft.light.id) {
     context.diagnostics.report("xml.light-id"_code, draft.light.location,
                                "the light has no <id>; give each light a number from 0 to 7");
   }
   if (has(draft, Field::angle_deg)) {
-    missing(Field::penumbra_deg, "0");
+    missing(Field::penumbra_deg);
   }
 }
 

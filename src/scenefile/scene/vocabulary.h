@@ -74,6 +74,9 @@ struct ValueRow {
   Need need = Need::always;
   ValueWords words{};
   std::string_view xml_alias{};  ///< another name of the element; accepted with a warning
+  /// What counts in XML, with a warning, if the value must be written but is missing. The members
+  /// of Camera and Light start with it, except a light's position, which is the origin in JSON.
+  std::string_view xml_assumed{};
   /// XML files give this value to lights of all types; it is kept without a warning where unused.
   bool idle_in_xml = false;
   std::array<RepeatKey, 2> json_repeat{};  ///< image: of repeat_u and repeat_v
@@ -147,7 +150,8 @@ inline constexpr ValueRow<Camera> camera_rows[] = {
      .json = "position",
      .member = &Camera::position,
      .field = Field::position,
-     .words = {"Position", "5 5 5", "Where the camera is."}},
+     .words = {"Position", "5 5 5", "Where the camera is."},
+     .xml_assumed = "5 5 5"},
     {.kind = ValueKind::vector,
      .xml = "look",
      .json = "look",
@@ -156,7 +160,8 @@ inline constexpr ValueRow<Camera> camera_rows[] = {
      .need = Need::depends,
      .words =
          {"Direction of view", "-1 -1 -1",
-          "The direction in which the camera looks, of any length. Give look or focus, not both."}},
+          "The direction in which the camera looks, of any length. Give look or focus, not both."},
+     .xml_assumed = "-1 -1 -1"},
     {.kind = ValueKind::vector,
      .xml = "focus",
      .json = "focus",
@@ -171,7 +176,8 @@ inline constexpr ValueRow<Camera> camera_rows[] = {
      .field = Field::up,
      .words = {"Up", "0 1 0",
                "The direction that is up in the picture, of any length; not parallel to the "
-               "direction of view."}},
+               "direction of view."},
+     .xml_assumed = "0 1 0"},
     {.xml = "heightangle",
      .json = "heightAngle",
      .member = &Camera::height_angle_deg,
@@ -179,7 +185,8 @@ inline constexpr ValueRow<Camera> camera_rows[] = {
      .range = {0, 180, true, true},
      .words = {"Height angle", "45", "The full vertical angle of view.",
                "Degrees, above 0 and below 180; 30 to 60 are common."},
-     .xml_alias = "angle"},
+     .xml_alias = "angle",
+     .xml_assumed = "45"},
     {.xml = "aspectratio",
      .range = ranges::positive,
      .need = Need::depends,
@@ -236,7 +243,8 @@ inline constexpr ValueRow<Light> light_rows[] = {
      .field = Field::color,
      .range = ranges::light_color,
      .words = {"Color", "1 1 1", "The color of the light.",
-               "0 none, 1 full; above 1 for a bright light with attenuation."}},
+               "0 none, 1 full; above 1 for a bright light with attenuation."},
+     .xml_assumed = "1 1 1"},
     {.kind = ValueKind::coefficients,
      .xml = "function",
      .json = "attenuationCoeff",
@@ -255,7 +263,8 @@ inline constexpr ValueRow<Light> light_rows[] = {
      .member = &Light::position,
      .field = Field::position,
      .used_by = has_position,
-     .words = {"Position", "2 5 3", "The position of the light; for an area light, its center."}},
+     .words = {"Position", "2 5 3", "The position of the light; for an area light, its center."},
+     .xml_assumed = "3 3 3"},
     {.kind = ValueKind::vector,
      .xml = "direction",
      .json = "direction",
@@ -274,6 +283,7 @@ inline constexpr ValueRow<Light> light_rows[] = {
      .words = {"Penumbra", "5",
                "How far inside the edge of its cone a spotlight begins to fall off.",
                "Degrees, from 0 (a hard edge) to the angle of the spotlight."},
+     .xml_assumed = "0",
      .edited = 1},
     {.xml = "angle",
      .json = "angle",

@@ -329,6 +329,7 @@ std::vector<ValueWord> all_values() {
         value.repeats.push_back(repeat.key);
       }
     }
+    value.assumed_in_xml = row.xml_assumed;
     value.fallback = row.has_default(false) ? json_of(row) : std::string();
     if constexpr (std::is_same_v<decltype(row), const ValueRow<Light>&>) {
       for (std::size_t i = 0; i < light_words.size() && row.used_by != every_light; ++i) {

@@ -490,6 +490,18 @@ TEST(Edits, AGroupCannotBeMovedIntoItself) {
               HasSubstr("choose a group"));
 }
 
+TEST(Edits, NoNumberIsWrittenThatAFloatCannotHold) {
+  const std::string text = R"(<scenefile><object type="tree" name="root">
+<transblock><scale x="1e-20" y="1e-20" z="1e-20"/><object type="tree"/></transblock>
+<transblock><scale x="1e20" y="1e20" z="1e20"/><object type="primitive" name="cube"/></transblock>
+</object></scenefile>)";
+  const std::string moved = after_edit(text, [](const Document& document) {
+    return move_into(document, nth(document, ItemKind::primitive), nth(document, ItemKind::group));
+  });
+  EXPECT_THAT(moved, HasSubstr(R"(<scale x="1e20" y="1e20" z="1e20"/>)"));
+  EXPECT_THAT(moved, Not(HasSubstr("inf")));
+}
+
 TEST(Edits, WrappingKeepsTheInside) {
   EXPECT_EQ(after_edit(scene_xml,
                        [](const Document& document) {

@@ -402,6 +402,9 @@ Result<Edit> place_item(const Document& document, const Handle& handle,
     return input_error("its group is scaled to nothing, so it cannot be placed in the world");
   }
   const glm::dmat4 local = glm::inverse(handle.world_from_space) * world_from_item;
+  if (!is_finite(glm::dmat4(glm::mat4(local)))) {
+    return input_error("its place in the group needs numbers that are too large for a scene file");
+  }
   const std::vector<FieldView> all = document.fields(handle.item);
   if (handle.is_light) {
     const FieldView& position = *named(all, "position");

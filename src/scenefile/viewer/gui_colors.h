@@ -10,7 +10,6 @@ inline constexpr std::uint32_t rgba(unsigned rgb, unsigned alpha = 255) {
   return alpha << 24 | (rgb & 255U) << 16 | (rgb & 0xFF00U) | (rgb >> 16 & 255U);
 }
 
-inline constexpr unsigned color_back = 0x17181b;  ///< around the picture
 inline constexpr unsigned color_panel = 0x202226;
 inline constexpr unsigned color_field = 0x2b2e34;
 inline constexpr unsigned color_line = 0x34383f;

@@ -96,17 +96,19 @@ double seconds_of_truth(const Options& options) {
   return options.seconds > 0 ? options.seconds : truth_seconds;
 }
 
-Outcome draw_truth_of(const LoadedScene& scene, const Options& options, Context& context,
-                      PathTruth& truth) {
-  context.phase = "drawing the truth";
+Outcome judge_by_truth(const LoadedScene& scene, const Options& options, Context& context,
+                       const DecodedPicture& mine, PathTruth& truth, PathVerdict& verdict) {
+  context.phase = "comparing the picture with the truth";
   ProgressBar bar(!options.quiet && !options.json && wants_progress());
-  const RenderStatus drawn = draw_truth(
-      scene, options.render, seconds_of_truth(options),
-      [&](double done) {
-        bar.update(done);
-        return true;
-      },
-      truth);
+  const double seconds = seconds_of_truth(options);
+  const Progress progress = [&](double done) {
+    bar.update(done);
+    return true;
+  };
+  RenderStatus drawn = draw_truth(scene, options.render, seconds, progress, truth);
+  if (drawn == RenderStatus::complete) {
+    drawn = judge_by_truth(scene, options.render, seconds, progress, mine, truth, verdict);
+  }
   return outcome_of(drawn, context);
 }
 
@@ -124,12 +126,12 @@ ExitCode diff_paths(Options options, std::span<const LoadedPicture> pictures,
   options.render.width = mine.width;
   options.render.height = mine.height;
   PathTruth truth;
-  if (const Outcome outcome = draw_truth_of(scene, options, context, truth);
+  Judged judged;
+  if (const Outcome outcome =
+          judge_by_truth(scene, options, context, pictures.back().picture, truth, judged.mine);
       !outcome.error.empty()) {
     return fail(outcome);
   }
-  context.phase = "comparing the pictures";
-  Judged judged{judge_path(truth, pictures.back().picture), std::nullopt, {}};
   if (pictures.size() > 1) {
     judged.reference = judge_path(truth, pictures.front().picture);
     if (options.thresholds != Thresholds()) {

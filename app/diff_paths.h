@@ -17,9 +17,9 @@ bool are_path_traced(const Options& options, const LoadedScene& scene);
 
 /// The processor time in which a truth is drawn: --time, or truth_seconds.
 double seconds_of_truth(const Options& options);
-/// Draws the truth of the picture that the options describe, and shows progress.
-Outcome draw_truth_of(const LoadedScene& scene, const Options& options, Context& context,
-                      PathTruth& truth);
+/// Draws the truth of the picture that the options describe, shows progress, and judges `mine`.
+Outcome judge_by_truth(const LoadedScene& scene, const Options& options, Context& context,
+                       const DecodedPicture& mine, PathTruth& truth, PathVerdict& verdict);
 
 /// Judges each picture by the truth, which is drawn from the scene. The last picture is the one
 /// under test; one before it is the reference.

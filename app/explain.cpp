@@ -65,13 +65,12 @@ std::array<std::uint8_t, 3> value_at(const Texture& picture, const PixelPlace& p
 Outcome add_around(const LoadedScene& scene, const Options& options, const LoadedPicture& mine,
                    Context& context, ExplainReport& report) {
   PathTruth truth;
-  if (Outcome outcome = draw_truth_of(scene, options, context, truth); !outcome.error.empty()) {
-    return outcome;
+  PathVerdict verdict;
+  Outcome outcome = judge_by_truth(scene, options, context, mine.picture, truth, verdict);
+  if (outcome.error.empty()) {
+    report.around = neighborhood(truth, std::move(verdict), {options.pixel->x, options.pixel->y});
   }
-  context.phase = "comparing the pictures";
-  report.around =
-      neighborhood(truth, judge_path(truth, mine.picture), {options.pixel->x, options.pixel->y});
-  return {};
+  return outcome;
 }
 
 // Compares the pictures, and sets the options to those of the picture of the scene.

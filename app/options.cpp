@@ -201,7 +201,7 @@ bool implies_path_mode(const Command& command, const Options& options) {
 }
 
 // Checks that each option has an effect with the selected engine, profile and mode.
-std::string check_support(const Command& command, const Options& options) {
+std::string check_support(const Options& options) {
   if (options.render.mode == Mode::path) {
     if (options.engine != Engine::trace) {
       return fmt::format("--mode path is for the ray tracer: leave it out, or {}",
@@ -405,7 +405,7 @@ std::string check_together(const Command& command, Options& options) {
   if (!options.title.empty() && options.report.empty() && options.pages.empty()) {
     return "--title is for --report and --pages";
   }
-  if (std::string wrong = check_support(command, options); !wrong.empty()) {
+  if (std::string wrong = check_support(options); !wrong.empty()) {
     return wrong;
   }
   if (options.json && options.sarif) {

@@ -60,15 +60,19 @@ viewer::CauseAnswer judge_paths(const viewer::CauseQuestion& question, const Loa
   options.width = question.mine->texture.width;
   options.height = question.mine->texture.height;
   PathTruth truth;
-  const RenderStatus drawn = draw_truth(
-      scene, options, seconds, [&](double) { return go_on(); }, truth);
+  PathVerdict verdict;
+  const Progress progress = [&](double) { return go_on(); };
+  RenderStatus drawn = draw_truth(scene, options, seconds, progress, truth);
+  if (drawn == RenderStatus::complete) {
+    drawn = judge_by_truth(scene, options, seconds, progress, *question.mine, truth, verdict);
+  }
   if (const std::optional<Error> error = render_error(drawn)) {
     return {error->text + '\n'};
   }
   if (drawn == RenderStatus::cancelled) {
     return {};
   }
-  return {path_verdict_text(judge_path(truth, *question.mine))};
+  return {path_verdict_text(verdict)};
 }
 
 viewer::CauseAnswer find_cause(const viewer::CauseQuestion& question, const Options& options,

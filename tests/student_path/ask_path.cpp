@@ -35,6 +35,11 @@ int main(int count, char** words) {
   if (!scene.usable()) {
     return 1;
   }
+  const double seconds = std::atof(words[2]);
+  RenderOptions options = default_options(Profile::fine);
+  options.mode = Mode::path;
+  options.max_depth = path_max_depth;
+  options.seed = 4711;
   PathTruth truth;
   for (int i = 3; i < count; ++i) {
     const Result<DecodedPicture> picture = load_picture_file(words[i]);
@@ -42,17 +47,18 @@ int main(int count, char** words) {
       return 3;
     }
     if (truth.samples == 0) {
-      RenderOptions options = default_options(Profile::fine);
-      options.mode = Mode::path;
-      options.max_depth = path_max_depth;
       options.width = picture->texture.width;
       options.height = picture->texture.height;
-      options.seed = 4711;
-      if (draw_truth(scene, options, std::atof(words[2]), {}, truth) != RenderStatus::complete) {
+      if (draw_truth(scene, options, seconds, {}, truth) != RenderStatus::complete) {
         return 4;
       }
     }
-    std::printf("%s\n", answer_of(words[i], judge_path(truth, *picture)).c_str());
+    PathVerdict verdict;
+    if (judge_by_truth(scene, options, seconds, {}, *picture, truth, verdict) !=
+        RenderStatus::complete) {
+      return 4;
+    }
+    std::printf("%s\n", answer_of(words[i], verdict).c_str());
   }
   return 0;
 }

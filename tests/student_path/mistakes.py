@@ -28,6 +28,7 @@ MISTAKES = {
     "area-twice": ("box", "direct-twice lamp-sampling lamp-area"),
     "no-choice-pdf": ("box lamps", "lamp-sampling"),
     "first-lamp-only": ("lamps", "lamp-choice"),
+    "no-ke": ("box lamps", "lamp-color"),
     "lights-summed lights=4": ("box", "lamp-sampling"),
     "lights-divided-twice lights=4": ("box", "lamp-sampling"),
     "no-pi": ("box lamps", "pi"),

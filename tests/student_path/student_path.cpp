@@ -427,8 +427,8 @@ class Tracer {
                         : on("area-inverse") ? 1 / lamp_areas[k]
                         : on("area-twice")   ? 2 * lamp_areas[k]
                                              : lamp_areas[k];
-    return emission(materials[lamp.material]) * bsdf(m, n, in, to, true) * cosine * lamp_cosine /
-           falloff * area * weight;
+    const dvec3 ke = on("no-ke") ? dvec3(1) : emission(materials[lamp.material]);
+    return ke * bsdf(m, n, in, to, true) * cosine * lamp_cosine / falloff * area * weight;
   }
 
   dvec3 mirror(const Ray& r, const Hit& hit, const Material& m, int depth) {

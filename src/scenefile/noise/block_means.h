@@ -22,6 +22,14 @@ void for_each_pixel(const PathTruth& truth, std::size_t b, const Visit& visit) {
   }
 }
 
+/// The pixel in the middle of block `b`; the last of a row or column may be smaller than others.
+inline glm::ivec2 middle_of(const PathTruth& truth, std::size_t b) {
+  const int left = static_cast<int>(b) % truth.columns * block_side;
+  const int top = static_cast<int>(b) / truth.columns * block_side;
+  return {(left + std::min(left + block_side, truth.width)) / 2,
+          (top + std::min(top + block_side, truth.height)) / 2};
+}
+
 /// 0 without values.
 double median_of(std::vector<double> values);
 

@@ -612,7 +612,10 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
     verdict.significance[b] = luminance(rest) / std::sqrt(variance);
     verdict.errors[b] = std::sqrt(variance) / scale;
     verdict.mine[b] = reading.seen.measured.mean[b] / scale;
-    verdict.largest = std::max(verdict.largest, std::abs(verdict.significance[b]));
+    if (std::abs(verdict.significance[b]) > verdict.largest) {
+      verdict.largest = std::abs(verdict.significance[b]);
+      verdict.largest_at = middle_of(truth, b);
+    }
   }
   double chi2 = 0;
   verdict.places = places_of(back, reading.seen.measured, chi2);
@@ -643,6 +646,11 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
          fmt::format("no value is above {:.3g}: those of samples or pixels are cut off there",
                      *cut),
          "visible lamps", 1});
+  }
+  for (const PathModel& m : reading.models) {
+    if (verdict.causes.empty() && m.variant && reading.is_like_noise(m)) {
+      verdict.noisy_variants.push_back(*m.variant);
+    }
   }
   if (!verdict.causes.empty()) {
     verdict.partial.clear();

@@ -18,6 +18,8 @@
 #include "scenefile/grade/causes.h"
 #include "scenefile/noise/path_truth.h"
 
+#include <glm/glm.hpp>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -60,9 +62,10 @@ struct PathVerdict {
   std::vector<double> errors;        ///< by block: of significance, as luminance; 0: left out
   int columns = 0;                   ///< of blocks
   std::size_t tested = 0;            ///< blocks that were compared
-  double critical = 0;  ///< largest |significance| by chance at the corrected level of 1 %
-  double largest = 0;   ///< largest |significance|
-  double samples = 0;   ///< per pixel that a program like ours needs for this noise
+  double critical = 0;       ///< largest |significance| by chance at the corrected level of 1 %
+  double largest = 0;        ///< largest |significance|
+  glm::ivec2 largest_at{0};  ///< the pixel in the middle of that block
+  double samples = 0;        ///< per pixel that a program like ours needs for this noise
   double truth_samples = 0;
   std::string curve;           ///< how 8-bit values were made
   double exposure = 1;         ///< fitted factor of 8-bit pictures
@@ -71,6 +74,8 @@ struct PathVerdict {
   std::size_t not_finite = 0;  ///< pixels
   std::size_t clipped = 0;     ///< pixels
   double chi2_per_value = 0;   ///< of the best explanation; about 1 if it is complete
+  /// Those that may explain a picture without a cause, and would need more samples to say so.
+  std::vector<Variant> noisy_variants;
 };
 
 /// The picture must have the size of the truth.

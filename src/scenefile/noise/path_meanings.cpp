@@ -163,20 +163,10 @@ std::vector<Meaning> meanings(const PathTruth& truth, const PathModel& m,
   }
   if (m.name == "direct-color") {
     general = true;
-    std::string what = fmt::format(
-        "light samples have the factors {:.3f}, {:.3f} and {:.3f} for "
-        "red, green and blue",
-        f, m.fit.factors[1], m.fit.factors[2]);
-    const Color& lamp = truth.lamp_color;
-    bool gray = true;  // times the emission
-    for (int c = 1; c < 3; ++c) {
-      gray = gray && is_number(m.fit.factors[c] * lamp[c], (m.fit.errors[c] + error) * lamp[c],
-                               f * lamp[0]);
-    }
-    if (gray && !is_number(lamp[0], 0, lamp[2])) {
-      what += ", as if they were not multiplied by Ke";
-    }
-    return {{m.page, "lamp-color", what}};
+    return {{m.page, "lamp-color",
+             fmt::format("light samples have the factors {:.3f}, {:.3f} and {:.3f} for red, green "
+                         "and blue",
+                         f, m.fit.factors[1], m.fit.factors[2])}};
   }
   if (m.name == "direct-and-scattered" || m.name == "direct-and-bounce") {
     const bool scattered = m.name == "direct-and-scattered";

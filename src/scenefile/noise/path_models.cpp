@@ -95,6 +95,8 @@ constexpr std::array<ChangeRow, change_count> change_rows{{
      "points on the triangles of lamps are not uniform: three random numbers divided by their sum"},
     {Change::lamp_area, ModelKind::mistake, Cause::light_samples, "lamp-area",
      "light samples are not multiplied by the area of the triangle"},
+    {Change::lamp_emission, ModelKind::mistake, Cause::light_samples, "lamp-color",
+     "light samples are not multiplied by Ke, the emission of the lamp"},
     {Change::first_lamp, ModelKind::mistake, Cause::light_samples, "lamp-choice",
      "only one triangle of the lamps is sampled"},
     {Change::last_lamp, ModelKind::mistake, Cause::light_samples, "lamp-choice",
@@ -528,6 +530,8 @@ std::vector<PathModel> ModelSearch::models() const {
                  "lamps shine to both sides"},
       VariantRow{Variant::inverted_index, ModelKind::mistake, Cause::specular_paths, "refraction",
                  "the ratio of the indices of refraction is inverted"},
+      VariantRow{Variant::always_enters, ModelKind::mistake, Cause::specular_paths, "refraction",
+                 "rays that leave glass are refracted as if they entered it"},
       VariantRow{Variant::flat_normals, ModelKind::mistake, Cause::normals, "flat-normals",
                  "normals are those of the triangles, not interpolated"},
       VariantRow{
@@ -535,14 +539,17 @@ std::vector<PathModel> ModelSearch::models() const {
           "points on lamps are in parallelograms instead of triangles: u + v may be above 1"}};
   for (const VariantPicture& variant : back_.truth.variants) {
     const VariantRow& row = variant_rows[static_cast<std::size_t>(variant.variant)];
-    // Only paths that the variant changes have its noise.
-    BlockColors noise =
-        combined(back_.zero, back_.truth.samples / variant.samples, back_.truth_noise);
-    for (std::size_t b = 0; b < noise.size(); ++b) {
-      const double off = std::abs(luminance(variant.picture[b] - back_.all[b]));
-      noise[b] *= std::min(1.0, off / std::max(1e-30, luminance(back_.all[b])));
-    }
-    add({row.kind, row.page, row.name, row.what, variant.picture, {}, 1, 0, 1, noise});
+    add({row.kind,
+         row.page,
+         row.name,
+         row.what,
+         variant.picture,
+         {},
+         1,
+         0,
+         1,
+         shrunk(variant.noise, back_.truth.columns),
+         variant.variant});
   }
   return list;
 }

@@ -25,6 +25,7 @@ struct PathModel {
   int parameters = 0;    // how many of those
   int edits = 1;
   BlockColors noise = {};  ///< variance beyond that of the truth; of the free part, for factor 1
+  std::optional<Variant> variant = {};  ///< that it is a picture of
   BlockFit fit = {};
   double chi2 = 0;        ///< by the cautious weights, with the noise of the model
   double plain_chi2 = 0;  ///< without that noise

@@ -111,6 +111,7 @@ void weigh_sample(const PathPoint& point, const PathLight& light, const Lamps& l
   const double most = std::max({u, v, 1 - u - v});
   at(Change::normalized_points) /= 6 * most * most * most;
   at(Change::lamp_area) /= lamps.area(light.lamp);
+  at(Change::lamp_emission) *= quotient(Color(1), light.emission);
   at(Change::first_lamp) *= light.lamp == 0 ? 1.0 : 0.0;
   at(Change::last_lamp) *= light.lamp + 1 == lamps.size() ? 1.0 : 0.0;
 }
@@ -404,9 +405,6 @@ void set_means(const PathScene& scene, const Totals& totals, PathTruth& truth) {
   for (std::size_t i = 0; i < scene.lamps.size(); ++i) {
     truth.lamp_areas.push_back(scene.lamps.area(i));
   }
-  if (!scene.lamps.empty()) {
-    truth.lamp_color = scene.lamps.sample(glm::dvec2(0.5)).emission;
-  }
 }
 
 // Whether the passes so far leave no time for another one.
@@ -478,6 +476,8 @@ bool change(Variant variant, const PathTruth& truth, RenderScene& scene, Assets&
         }
       }
       return truth.glass;
+    case Variant::always_enters:
+      return truth.glass;  // of its paths, not of the scene
     case Variant::flat_normals:
       for (Mesh& mesh : assets.meshes) {
         changed = changed || !mesh.triangle_normals.empty();
@@ -485,7 +485,7 @@ bool change(Variant variant, const PathTruth& truth, RenderScene& scene, Assets&
       }
       return changed;
     case Variant::lamp_parallelograms:
-      return !truth.lamp_areas.empty();  // of its paths, not of the scene
+      return !truth.lamp_areas.empty();  // likewise
   }
   return false;
 }
@@ -494,9 +494,10 @@ bool change(Variant variant, const PathTruth& truth, RenderScene& scene, Assets&
 VariantPicture draw_variant(Variant variant, const std::deque<PathScene>& scenes,
                             const PathTruth& truth, double seconds) {
   BlockColors sums(truth.blocks(), Color(0));
+  std::vector<BlockColors> differences;  // from the truth's, after 1, 2, 4, ... passes
   const std::clock_t start = std::clock();
   std::uint32_t passes = 0;
-  const auto add_pass = [&] {
+  do {
     for_each_task(truth.blocks(), [&](std::size_t block) {
       RayCounts counts;
       for_each_pixel(truth, block, [&](int x, int y, std::size_t) {
@@ -508,23 +509,30 @@ VariantPicture draw_variant(Variant variant, const std::deque<PathScene>& scenes
       });
     });
     ++passes;
-  };
-  std::size_t known = 0;  // of the truth's sums
-  do {
-    for (add_pass(); !std::has_single_bit(passes); add_pass()) {
+    if (std::has_single_bit(passes)) {
+      differences.push_back(combined(sums, -1, truth.first_passes[differences.size()]));
     }
-    known = static_cast<std::size_t>(std::countr_zero(passes));
-  } while (known + 1 < truth.first_passes.size() &&
-           !time_is_over(start, static_cast<int>(passes), seconds / 2));
-  VariantPicture result{variant, BlockColors(truth.blocks(), Color(0)), double(passes) * of_pass};
-  BlockColors& picture = result.picture;
+  } while (!std::has_single_bit(passes) ||
+           (differences.size() < truth.first_passes.size() &&
+            (differences.size() < 2 ||  // otherwise the noise is not known
+             !time_is_over(start, static_cast<int>(passes), seconds / 2))));
+  VariantPicture result{variant, BlockColors(truth.blocks(), Color(0)),
+                        BlockColors(truth.blocks(), Color(0))};
   for (const auto& [kind, light] : truth.kinds) {
-    for (std::size_t b = 0; b < truth.blocks(); ++b) {
-      picture[b] += light[b];
-    }
+    result.picture = combined(result.picture, 1, light);
   }
+  // The passes 1, 2, 3 and 4, 5 to 8, ... are independent; their means differ by their noise.
+  const std::size_t groups = differences.size();
   for (std::size_t b = 0; b < truth.blocks(); ++b) {
-    picture[b] += (sums[b] - truth.first_passes[known][b]) / (result.samples * pixels_of(truth, b));
+    const double samples = of_pass * pixels_of(truth, b);
+    const Color mean = differences.back()[b] / (samples * passes);
+    result.picture[b] += mean;
+    for (std::size_t g = 0; groups > 1 && g < groups; ++g) {
+      const double count = g == 0 ? 1 : std::exp2(static_cast<double>(g) - 1);
+      const Color sum = g == 0 ? differences[0][b] : differences[g][b] - differences[g - 1][b];
+      const Color off = sum / (samples * count) - mean;
+      result.noise[b] += count * off * off / (static_cast<double>((groups - 1) * passes));
+    }
   }
   return result;
 }
@@ -668,9 +676,9 @@ void draw_pools(const TraceScene& traced, const RenderScene& scene, const Render
   }
 }
 
-RenderStatus draw_variants(const RenderScene& scene, const Assets& assets,
-                           const RenderOptions& options, double seconds, const Progress& progress,
-                           PathTruth& truth) {
+RenderStatus draw_variants(std::span<const Variant> variants, const RenderScene& scene,
+                           const Assets& assets, const RenderOptions& options, double seconds,
+                           const Progress& progress, PathTruth& truth) {
   const ThreadLimit limit(options.threads);
   struct Changed {
     Variant variant;
@@ -678,8 +686,7 @@ RenderStatus draw_variants(const RenderScene& scene, const Assets& assets,
     Assets assets;
   };
   std::vector<Changed> list;
-  for (const Variant variant : {Variant::two_sided_lamps, Variant::inverted_index,
-                                Variant::flat_normals, Variant::lamp_parallelograms}) {
+  for (const Variant variant : variants) {
     Changed changed{variant, scene, assets};
     if (change(variant, truth, changed.scene, changed.assets)) {
       list.push_back(std::move(changed));
@@ -694,12 +701,17 @@ RenderStatus draw_variants(const RenderScene& scene, const Assets& assets,
       return traced.status();
     }
     std::deque<PathScene> scenes = scenes_of(traced, changed.scene, options);
-    if (changed.variant == Variant::lamp_parallelograms) {
-      std::for_each(scenes.begin(), scenes.end(),
-                    [](PathScene& paths) { paths.lamps.cover_parallelograms(); });
+    for (PathScene& paths : scenes) {
+      paths.always_enters = changed.variant == Variant::always_enters;
+      if (changed.variant == Variant::lamp_parallelograms) {
+        paths.lamps.cover_parallelograms();
+      }
     }
-    truth.variants.push_back(
-        draw_variant(changed.variant, scenes, truth, seconds / static_cast<double>(list.size())));
+    VariantPicture drawn =
+        draw_variant(changed.variant, scenes, truth, seconds / static_cast<double>(list.size()));
+    std::erase_if(truth.variants,
+                  [&](const VariantPicture& old) { return old.variant == drawn.variant; });
+    truth.variants.push_back(std::move(drawn));
   }
   return RenderStatus::complete;
 }

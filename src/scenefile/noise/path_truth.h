@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <vector>
 
 namespace scenefile {
@@ -71,6 +72,7 @@ enum class Change : std::uint8_t {
   edge_points,
   normalized_points,
   lamp_area,
+  lamp_emission,
   first_lamp,
   last_lamp,
   fresnel_twice,
@@ -93,17 +95,23 @@ struct ChangedPicture {
   BlockColors noise;    ///< the variance of both together, measured
 };
 
-/// Changes of the scene, as by another convention or a mistake. Each needs its own paths.
+/// Changes of the scene or its paths, as by another convention or a mistake. Each needs its own
+/// paths.
 enum class Variant : std::uint8_t {
   two_sided_lamps,
   inverted_index,
+  always_enters,
   flat_normals,
   lamp_parallelograms
 };
+inline constexpr std::array all_variants{Variant::two_sided_lamps, Variant::inverted_index,
+                                         Variant::always_enters, Variant::flat_normals,
+                                         Variant::lamp_parallelograms};
+
 struct VariantPicture {
   Variant variant = Variant::two_sided_lamps;
   BlockColors picture;
-  double samples = 0;  ///< per pixel
+  BlockColors noise;  ///< the variance of its difference from the truth, measured
 };
 
 /// Light of programs whose throughput is not the product of the factors of all directions, by the
@@ -151,7 +159,6 @@ struct PathTruth {
   std::vector<VariantPicture> variants;  ///< those that the scene can have
   std::vector<PathPool> pools;
   std::vector<double> lamp_areas;  ///< by triangle
-  Color lamp_color{0};             ///< emission of one of them
   double height_angle = 0;         ///< of the camera, radians
   bool glass = false;              ///< some path met glass
   bool mirror = false;
@@ -176,9 +183,10 @@ RenderStatus draw_throughputs(const TraceScene& traced, const RenderScene& scene
                               const RenderOptions& options, double seconds,
                               const Progress& progress, PathTruth& truth);
 
-/// Adds the variants, each with as many samples as fit into an equal share of the time.
-RenderStatus draw_variants(const RenderScene& scene, const Assets& assets,
-                           const RenderOptions& options, double seconds, const Progress& progress,
-                           PathTruth& truth);
+/// Draws variants, each with as many samples as fit into an equal share of the time, but no more
+/// than the truth has. Those that are there already are replaced.
+RenderStatus draw_variants(std::span<const Variant> variants, const RenderScene& scene,
+                           const Assets& assets, const RenderOptions& options, double seconds,
+                           const Progress& progress, PathTruth& truth);
 
 }  // namespace scenefile

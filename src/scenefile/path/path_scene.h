@@ -21,7 +21,9 @@ struct PathScene {
   CameraRays camera;
   Transmission transmission;  ///< for shadow rays to the scene's lights
   Lamps lamps;
+  // As in programs with a mistake; see noise/path_truth.h.
   bool uniform_directions = false;  ///< not by the BSDF
+  bool always_enters = false;       ///< glass refracts each ray as if it came from outside
   /// By mesh and triangle: the triangle at the same place that faces the other way and emits light.
   /// Rays hit only the last of such faces, but a lamp may be made of two.
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> other_faces;

@@ -185,6 +185,7 @@ PathPoint path_point(const PathScene& scene, const Ray& ray, const Hit& ray_hit)
     point.bsdf.diffuse = Color(0);
   }
   point.facing = facing_of(surface.normal, surface.geometric, -ray.direction);
+  point.facing.outside = point.facing.outside || scene.always_enters;
   return point;
 }
 

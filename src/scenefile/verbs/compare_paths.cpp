@@ -37,17 +37,6 @@ double few_digits(double value) {
   return std::max(1.0, std::ceil(value / digits) * digits);
 }
 
-std::string place_of_largest(const PathVerdict& v) {
-  const auto most = std::max_element(v.significance.begin(), v.significance.end(),
-                                     [](double a, double b) { return std::abs(a) < std::abs(b); });
-  if (most == v.significance.end()) {
-    return {};
-  }
-  const auto block = static_cast<int>(most - v.significance.begin());
-  return fmt::format(" at pixel {},{}", block % v.columns * block_side + block_side / 2,
-                     block / v.columns * block_side + block_side / 2);
-}
-
 }  // namespace
 
 RenderStatus draw_truth(const LoadedScene& scene, const RenderOptions& options, double seconds,
@@ -66,9 +55,25 @@ RenderStatus draw_truth(const LoadedScene& scene, const RenderOptions& options, 
   draw_pools(traced, scene.ready.scene, options, truth);
   status = draw_throughputs(traced, scene.ready.scene, options, of_throughputs * seconds, progress,
                             truth);
-  return status != RenderStatus::complete ? status
-                                          : draw_variants(scene.ready.scene, scene.assets, options,
-                                                          of_variants * seconds, progress, truth);
+  return status != RenderStatus::complete
+             ? status
+             : draw_variants(all_variants, scene.ready.scene, scene.assets, options,
+                             of_variants * seconds, progress, truth);
+}
+
+RenderStatus judge_by_truth(const LoadedScene& scene, const RenderOptions& options, double seconds,
+                            const Progress& progress, const DecodedPicture& mine, PathTruth& truth,
+                            PathVerdict& verdict) {
+  verdict = judge_path(truth, mine);
+  if (verdict.noisy_variants.empty()) {
+    return RenderStatus::complete;
+  }
+  const RenderStatus drawn = draw_variants(verdict.noisy_variants, scene.ready.scene, scene.assets,
+                                           options, seconds / 3, progress, truth);
+  if (drawn == RenderStatus::complete) {
+    verdict = judge_path(truth, mine);
+  }
+  return drawn;
 }
 
 std::string path_verdict_text(const PathVerdict& v) {
@@ -93,9 +98,10 @@ std::string path_verdict_text(const PathVerdict& v) {
   }
   text += fmt::format(
       "  {} blocks of {}x{} pixels; largest difference {:.1f} standard errors{} ({:.1f} is the "
-      "most "
-      "by chance)\n",
-      v.tested, block_side, block_side, v.largest, place_of_largest(v), v.critical);
+      "most by chance)\n",
+      v.tested, block_side, block_side, v.largest,
+      v.tested == 0 ? "" : fmt::format(" at pixel {},{}", v.largest_at.x, v.largest_at.y),
+      v.critical);
   for (const PathPlace& place : v.places) {
     text += fmt::format("  {}: {:.3f} +- {:.3f} of the truth's ({:.1f} % of it)\n", place.name,
                         place.factor, place.error, 100 * place.share);
@@ -243,6 +249,7 @@ void add_path_verdict(Json& json, const PathVerdict& v) {
             {"energy_mine", v.energy_mine},
             {"blocks", v.tested},
             {"largest_significance", v.largest},
+            {"largest_at", std::array{v.largest_at.x, v.largest_at.y}},
             {"critical_significance", v.critical},
             {"samples", v.samples},
             {"truth_samples", v.truth_samples},

@@ -19,6 +19,12 @@ inline constexpr double truth_seconds = 40;
 RenderStatus draw_truth(const LoadedScene& scene, const RenderOptions& options, double seconds,
                         const Progress& progress, PathTruth& truth);
 
+/// The verdict about a picture. Variants that may explain it are drawn again with more samples, for
+/// a third of `seconds`, the processor time of the truth.
+RenderStatus judge_by_truth(const LoadedScene& scene, const RenderOptions& options, double seconds,
+                            const Progress& progress, const DecodedPicture& mine, PathTruth& truth,
+                            PathVerdict& verdict);
+
 /// The verdict as human-readable text.
 std::string path_verdict_text(const PathVerdict& verdict);
 

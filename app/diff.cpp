@@ -225,7 +225,7 @@ ExitCode diff_images(const Options& options, std::vector<PictureInput> inputs, C
                 pictures.size() < 2
                     ? "diff needs two pictures, unless the scene is path-traced: "
                       "scenefile diff A B, or scenefile diff B --scene SCENE --mode path"
-                    : "--mode path needs the scene: --scene SCENE");
+                    : path_option(options) + " needs the scene: --scene SCENE");
   }
   round_alike(a.picture, b.picture);
   const LoadedScene* const shown = scene ? &*scene : nullptr;

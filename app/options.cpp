@@ -158,9 +158,6 @@ std::string check_count(const Command& command, const std::vector<std::string>& 
                        most == 1 ? "one argument" : fmt::format("{} arguments", most),
                        quoted(extra, 400), hint);
   }
-  if (std::count(arguments.begin(), arguments.end(), "-") > (command.bit == for_convert ? 2 : 1)) {
-    return "standard input can be read only once";
-  }
   return {};
 }
 
@@ -189,17 +186,6 @@ OptionSupport support_for(const OptionRow& row) {
   return row.field.empty() ? row.support : support_of(row.field);
 }
 
-// Whether the mode is not given, and an option is only for path tracing.
-bool implies_path_mode(const Command& command, const Options& options) {
-  return (command.bit & (for_render | for_explain | for_view | for_pictures)) != 0 &&
-         may_choose_path_mode(options) &&
-         (std::any_of(options.render.layers.begin(), options.render.layers.end(),
-                      [](const Layer& layer) { return !has_layer(Mode::ray, layer.kind); }) ||
-          std::any_of(options.given.begin(), options.given.end(), [](const GivenOption& given) {
-            return !supports_option(Mode::ray, support_for(*given.row));
-          }));
-}
-
 // Checks that each option has an effect with the selected engine, profile and mode.
 std::string check_support(const Options& options) {
   if (options.render.mode == Mode::path) {
@@ -224,7 +210,8 @@ std::string check_support(const Options& options) {
     }
     if (!supports_option(options.render.mode, support)) {
       return options.render.mode == Mode::path
-                 ? fmt::format("{} has no effect on paths: leave it out, or --mode path", row->name)
+                 ? fmt::format("{} has no effect on paths: leave it out, or {}", row->name,
+                               path_option(options))
                  : fmt::format("{} is for path tracing: leave it out, or --mode {}", row->name,
                                mode_word(options.render.mode));
     }
@@ -464,7 +451,7 @@ std::string parse_options(const Command& command, std::span<const char* const> w
   if (options.realtime) {
     options.engine = Engine::gl;
   }
-  if (options.render.mode == Mode::path || implies_path_mode(command, options)) {
+  if (!path_option(options).empty()) {
     set_path_mode(options);
   }
   options.load.compat_course =
@@ -511,6 +498,27 @@ void set_path_mode(Options& options) {
   if (!was_given(options, "--max-depth")) {
     options.render.max_depth = path_max_depth;
   }
+}
+
+std::string path_option(const Options& options) {
+  if (options.render.mode == Mode::path) {
+    if (was_given(options, "--mode")) {
+      return "--mode path";
+    }
+  } else if (!may_choose_path_mode(options)) {
+    return {};
+  }
+  for (const GivenOption& given : options.given) {
+    if (!supports_option(Mode::ray, support_for(*given.row))) {
+      return std::string(given.row->name);
+    }
+  }
+  for (const Layer& layer : options.render.layers) {
+    if (!has_layer(Mode::ray, layer.kind)) {
+      return "--aov " + layer_name(layer);
+    }
+  }
+  return {};
 }
 
 bool may_choose_path_mode(const Options& options) {

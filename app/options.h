@@ -153,6 +153,9 @@ bool asks_for_json(const Command& command, std::span<const char* const> words);
 /// Whether an option, such as "--samples", was given.
 bool was_given(const Options& options, std::string_view name);
 
+/// The first given option, or layer, that selects mode path: --mode path, or what only this mode
+/// has; else empty.
+std::string path_option(const Options& options);
 /// Sets mode path, with its defaults for what was not given.
 void set_path_mode(Options& options);
 /// Whether scenes that only faces light are drawn in mode path.

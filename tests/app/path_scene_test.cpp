@@ -107,6 +107,11 @@ TEST_F(PathScene, FramesArePathTraced) {
                 .status,
             0);
   EXPECT_THAT(folder.read("f1.pfm"), ::testing::StartsWith(folder.read("p.pfm")));
+  // What only path tracing has selects it.
+  const ProgramRun layers =
+      run_program({"frames", scene(), "-o", folder.path("l%d.png"), "--turntable", "1", "--size",
+                   "8x8", "--samples", "1", "--direct-only", "--aov", "direct"});
+  EXPECT_EQ(layers.status, 0) << layers.err;
 }
 
 TEST_F(PathScene, WithLightsMaterialsAreNotRead) {
@@ -222,6 +227,9 @@ TEST_F(PathScene, PicturesWithoutReferenceNeedTheScene) {
   EXPECT_EQ(run_program({"diff", mine}).status, 2);
   EXPECT_EQ(run_program({"diff", mine, "--scene", path}).status, 2);  // ray traced
   EXPECT_EQ(run_program({"diff", mine, mine, "--mode", "path"}).status, 2);
+  const ProgramRun implied = run_program({"diff", mine, mine, "--direct-only"});
+  EXPECT_EQ(implied.status, 2);
+  EXPECT_THAT(implied.err, HasSubstr("--direct-only needs the scene: --scene SCENE"));
   EXPECT_EQ(run_program({"diff", path}).status, 2);
 }
 

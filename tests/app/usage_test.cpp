@@ -104,6 +104,14 @@ TEST(Usage, StandardInputIsReadOnlyOnce) {
   is_misuse({"frames", "-", "--path", "-", "-o", "f%d.png"}, once);
 }
 
+TEST(Usage, WhatSelectsPathTracingIsNamed) {
+  is_misuse({"render", "a.xml", "-o", "b.png", "--features", "shadows", "--direct-only"},
+            "--features has no effect on paths: leave it out, or --direct-only");
+  is_misuse({"explain", "a.xml", "--pixel", "0,0", "--mine", "a.png", "--reference", "b.png",
+             "--mode", "path"},
+            "--reference has no effect on paths: leave it out, or --mode path");
+}
+
 TEST(Usage, ValidatesValues) {
   const auto render = [](const std::string& option, const std::string& value) {
     return std::vector<std::string>{"render", "a.xml", "-o", "b.png", option, value};

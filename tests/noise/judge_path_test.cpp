@@ -208,6 +208,17 @@ TEST_F(Judge, NamesPointsBesideLamps) {
   EXPECT_EQ(names(judge_path(with_variants, picture).causes), "lamp-points ");
 }
 
+TEST_F(Judge, NamesLightThatWasNotAskedFor) {
+  options.direct_only = true;
+  PathTruth direct;
+  ASSERT_EQ(draw_truth(traced, room.scene, options, 0, 24, {}, direct), RenderStatus::complete);
+  ASSERT_EQ(draw_variants(room.scene, room.assets, options, 2, {}, direct), RenderStatus::complete);
+  options.seed = 5;
+  EXPECT_EQ(names(judge_path(direct, drawn()).causes), "");
+  options.direct_only = false;
+  EXPECT_EQ(names(judge_path(direct, drawn()).causes), "depth ");
+}
+
 TEST_F(Judge, NamesAnotherAngleOfView) {
   room.look({0, 1, 0.95}, {0, 1.1, 0}, 104);
   const PathVerdict verdict = judge_path(truth, drawn());

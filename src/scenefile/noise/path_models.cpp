@@ -536,7 +536,10 @@ std::vector<PathModel> ModelSearch::models() const {
                  "normals are those of the triangles, not interpolated"},
       VariantRow{
           Variant::lamp_parallelograms, ModelKind::mistake, Cause::light_samples, "lamp-points",
-          "points on lamps are in parallelograms instead of triangles: u + v may be above 1"}};
+          "points on lamps are in parallelograms instead of triangles: u + v may be above 1"},
+      VariantRow{Variant::all_bounces, ModelKind::mistake, Cause::path_length, "depth",
+                 "light of more bounces is there than was asked for, as if directLightingOnly or "
+                 "the largest number of bounces had no effect"}};
   for (const VariantPicture& variant : back_.truth.variants) {
     const VariantRow& row = variant_rows[static_cast<std::size_t>(variant.variant)];
     add({row.kind,

@@ -457,8 +457,9 @@ void make_two_sided(Mesh& mesh, MeshMaterials& materials) {
   }
 }
 
-// False if the scene stays the same.
-bool change(Variant variant, const PathTruth& truth, RenderScene& scene, Assets& assets) {
+// False if nothing changes.
+bool change(Variant variant, const PathTruth& truth, RenderScene& scene, Assets& assets,
+            RenderOptions& options) {
   bool changed = false;
   switch (variant) {
     case Variant::two_sided_lamps:
@@ -486,6 +487,11 @@ bool change(Variant variant, const PathTruth& truth, RenderScene& scene, Assets&
       return changed;
     case Variant::lamp_parallelograms:
       return !truth.lamp_areas.empty();  // likewise
+    case Variant::all_bounces:
+      changed = options.direct_only || options.max_depth > 0;
+      options.direct_only = false;
+      options.max_depth = 0;
+      return changed;
   }
   return false;
 }
@@ -684,11 +690,12 @@ RenderStatus draw_variants(std::span<const Variant> variants, const RenderScene&
     Variant variant;
     RenderScene scene;
     Assets assets;
+    RenderOptions options;
   };
   std::vector<Changed> list;
   for (const Variant variant : variants) {
-    Changed changed{variant, scene, assets};
-    if (change(variant, truth, changed.scene, changed.assets)) {
+    Changed changed{variant, scene, assets, options};
+    if (change(variant, truth, changed.scene, changed.assets, changed.options)) {
       list.push_back(std::move(changed));
     }
   }
@@ -700,7 +707,7 @@ RenderStatus draw_variants(std::span<const Variant> variants, const RenderScene&
     if (traced.status() != RenderStatus::complete) {
       return traced.status();
     }
-    std::deque<PathScene> scenes = scenes_of(traced, changed.scene, options);
+    std::deque<PathScene> scenes = scenes_of(traced, changed.scene, changed.options);
     for (PathScene& paths : scenes) {
       paths.always_enters = changed.variant == Variant::always_enters;
       if (changed.variant == Variant::lamp_parallelograms) {

@@ -95,18 +95,19 @@ struct ChangedPicture {
   BlockColors noise;    ///< the variance of both together, measured
 };
 
-/// Changes of the scene or its paths, as by another convention or a mistake. Each needs its own
-/// paths.
+/// Changes of the scene, its paths or the options, as by another convention or a mistake. Each
+/// needs its own paths.
 enum class Variant : std::uint8_t {
   two_sided_lamps,
   inverted_index,
   always_enters,
   flat_normals,
-  lamp_parallelograms
+  lamp_parallelograms,
+  all_bounces
 };
-inline constexpr std::array all_variants{Variant::two_sided_lamps, Variant::inverted_index,
-                                         Variant::always_enters, Variant::flat_normals,
-                                         Variant::lamp_parallelograms};
+inline constexpr std::array all_variants{Variant::two_sided_lamps,     Variant::inverted_index,
+                                         Variant::always_enters,       Variant::flat_normals,
+                                         Variant::lamp_parallelograms, Variant::all_bounces};
 
 struct VariantPicture {
   Variant variant = Variant::two_sided_lamps;

@@ -302,6 +302,19 @@ TEST_F(Judge, SaysWhenItIsTooNoisy) {
   EXPECT_EQ(names(verdict.causes), "");
 }
 
+// Without any noise, a few blocks would not tell, either.
+TEST_F(Judge, SaysWhenMoreSamplesDoNotHelp) {
+  options.width = options.height = 24;
+  PathTruth small;
+  ASSERT_EQ(draw_truth(traced, room.scene, options, 0, 256, {}, small), RenderStatus::complete);
+  options.samples = 256;
+  options.seed = 5;
+  const PathVerdict verdict = judge_path(small, drawn());
+  EXPECT_TRUE(verdict.too_noisy);
+  EXPECT_TRUE(std::isinf(verdict.more_samples));
+  EXPECT_FALSE(verdict.truth_too_noisy);
+}
+
 TEST_F(Judge, ReadsToneMappedPictures) {
   const PathVerdict verdict = judge_path(truth, shown(drawn()));
   EXPECT_TRUE(verdict.right);

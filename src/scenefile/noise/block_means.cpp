@@ -103,6 +103,7 @@ ObservedBlocks observe(const TruthBlocks& back, const LinearPicture& picture) {
   m.mean.resize(truth.blocks());
   m.weight.resize(truth.blocks());
   result.cautious.resize(truth.blocks());
+  result.unrelated.resize(truth.blocks());
   BlockColors rounding(truth.blocks(), Color(0));
   BlockColors own(truth.blocks(), Color(0));  // variances of means as seen in the picture
   std::vector<double> ratios;
@@ -165,6 +166,7 @@ ObservedBlocks observe(const TruthBlocks& back, const LinearPicture& picture) {
     const Color systematic = model_error * (back.all[b] + m.mean[b]) / 2.0;
     const Color noise = result.per_sample / back.pixels[b] * back.variance[b];
     const Color others = back.truth_noise[b] + rounding[b] + back.edge[b] + systematic * systematic;
+    result.unrelated[b] = others;
     const double more = luminance(noise) > 0 ? std::max(1.0, own[b].x / luminance(noise)) : 1;
     // In a dark color, noise may only not have been seen.
     const double floor = luminance(noise + others) * 0.05;

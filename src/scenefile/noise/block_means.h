@@ -99,6 +99,7 @@ class TruthBlocks {
 struct ObservedBlocks {
   MeasuredBlocks measured;
   BlockColors cautious;       // weights that also know how much the picture itself varies
+  BlockColors unrelated;      ///< variances that do not become less with more samples
   double per_sample = 1;      // variance of a pixel, relative to that of a sample of the truth
   double relative_noise = 0;  ///< median of the blocks: standard error / mean
   /// Of values of 8 bits: the mean logarithm of variance / variance by rounding. It compares the

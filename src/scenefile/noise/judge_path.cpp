@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <tuple>
@@ -122,6 +123,41 @@ std::vector<PathPlace> places_of(const TruthBlocks& back, const MeasuredBlocks& 
     places.clear();
   }
   return places;
+}
+
+// The largest standard error of what is not a small part of the light.
+double largest_error(const std::vector<PathPlace>& places) {
+  double error = 0;
+  for (const PathPlace& place : places) {
+    error = std::max(error, place.share > 0.15 ? place.error : 0);
+  }
+  return error;
+}
+
+// Sets how many times as many samples would reduce the error to `limit`. If noise is not what
+// hides it, because there are too few blocks, or the truth itself is too noisy, none do.
+void count_samples(const TruthBlocks& back, const ObservedBlocks& seen, double error, double limit,
+                   PathVerdict& verdict) {
+  const auto error_without = [&](double truth_noise) {
+    MeasuredBlocks exact{back.all, back.zero};
+    for (std::size_t b = 0; b < exact.weight.size(); ++b) {
+      for (int c = 0; c < 3 && seen.measured.weight[b] != Color(0); ++c) {
+        const double left = seen.unrelated[b][c] - truth_noise * back.truth_noise[b][c];
+        exact.weight[b][c] = 1 / std::max(1e-30, left);
+      }
+    }
+    double chi2 = 0;
+    return largest_error(places_of(back, exact, chi2));
+  };
+  const double left = error_without(0);
+  verdict.more_samples = std::pow(seen.relative_noise / too_much_noise, 2);
+  if (left >= limit) {
+    verdict.more_samples = std::numeric_limits<double>::infinity();
+    verdict.truth_too_noisy = error_without(1) < limit;
+  } else if (error > limit) {
+    verdict.more_samples = std::max(verdict.more_samples,
+                                    (error * error - left * left) / (limit * limit - left * left));
+  }
 }
 
 void add_energy(const TruthBlocks& back, const MeasuredBlocks& measured, PathVerdict& verdict) {
@@ -688,17 +724,13 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
   if (verdict.causes.empty() && verdict.partial.empty()) {
     const double shown =
         explained_by_convention ? verdict.chi2_per_value : reading.right.chi2 / reading.values();
-    double error = 0;
-    for (const PathPlace& place : verdict.places) {
-      error = std::max(error, place.share > 0.15 ? place.error : 0);
-    }
+    const double error = largest_error(verdict.places);
     constexpr double hidden = 0.3;                // a factor that noise may hide
     const double limit = 1.5 * verdict.critical;  // caustics have heavy tails
     if (reading.seen.relative_noise > too_much_noise ||
         (claim_errors * error > hidden && shown < 2 && verdict.largest < limit)) {
       verdict.too_noisy = true;
-      verdict.more_samples = std::pow(
-          std::max(claim_errors * error / hidden, reading.seen.relative_noise / too_much_noise), 2);
+      count_samples(back, reading.seen, error, hidden / claim_errors, verdict);
       name_growth(back, reading.picture, verdict);
     } else {
       verdict.right = shown < 2 && (explained_by_convention || verdict.largest < limit);

@@ -49,7 +49,8 @@ struct PathPlace {
 struct PathVerdict {
   bool right = false;                  ///< nothing found, and noise would have hidden little
   bool too_noisy = false;              ///< nothing found, but noise could hide much
-  double more_samples = 1;             ///< too_noisy: how many times as many would do
+  double more_samples = 1;             ///< too_noisy: how many times as many would do; or infinity
+  bool truth_too_noisy = false;        ///< then: because of the noise of the truth
   std::vector<PathClaim> causes;       ///< one, or several that give the same picture
   std::vector<PathClaim> partial;      ///< true, but not all
   std::vector<PathClaim> conventions;  ///< differences that are not wrong

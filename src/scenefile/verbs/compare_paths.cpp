@@ -31,10 +31,10 @@ void add_path_claims(Json& json, std::string_view name, const std::vector<PathCl
   });
 }
 
-// Two digits are enough for a number of samples.
+// Two digits of a whole number are enough for a number of samples.
 double few_digits(double value) {
-  const double digits = std::pow(10, std::floor(std::log10(std::max(value, 1.0))) - 1);
-  return std::max(1.0, std::ceil(value / digits) * digits);
+  const double digits = std::pow(10, std::floor(std::log10(std::max(value, 10.0))) - 1);
+  return std::max(2.0, std::ceil(value / digits) * digits);
 }
 
 }  // namespace
@@ -76,6 +76,14 @@ RenderStatus judge_by_truth(const LoadedScene& scene, const RenderOptions& optio
   return drawn;
 }
 
+std::string too_noisy_text(const PathVerdict& v) {
+  return std::isfinite(v.more_samples)
+             ? fmt::format("too noisy; about {:.0f} times as many samples per pixel would do",
+                           few_digits(v.more_samples))
+         : v.truth_too_noisy ? "the truth is too noisy; more --time would do"
+                             : "the picture is too small; one with more pixels would do";
+}
+
 std::string path_verdict_text(const PathVerdict& v) {
   std::string text;
   add_claim_lines(text, "cause", v.causes);
@@ -90,11 +98,12 @@ std::string path_verdict_text(const PathVerdict& v) {
   if (v.right) {
     text += "right within its noise\n";
   } else if (v.too_noisy) {
-    text += fmt::format(
-        "cannot tell: too noisy; about {:.0f} times as many samples per pixel would do\n",
-        few_digits(v.more_samples));
+    text += fmt::format("cannot tell: {}\n", too_noisy_text(v));
   } else if (v.causes.empty() && v.partial.empty() && v.tested > 0) {
     text += "different; no known mistake explains it\n";
+  }
+  if (v.tested == 0) {
+    return text;
   }
   text += fmt::format(
       "  {} blocks of {}x{} pixels; largest difference {:.1f} standard errors{} ({:.1f} is the "
@@ -106,9 +115,6 @@ std::string path_verdict_text(const PathVerdict& v) {
     text += fmt::format("  {}: {:.3f} +- {:.3f} of the truth's ({:.1f} % of it)\n", place.name,
                         place.factor, place.error, 100 * place.share);
   }
-  if (v.tested == 0) {
-    return text;
-  }
   text += fmt::format("  noise as of {:.0f} samples per pixel; the truth has {:.0f}\n", v.samples,
                       v.truth_samples);
   if (v.curve != "linear values") {
@@ -117,10 +123,11 @@ std::string path_verdict_text(const PathVerdict& v) {
         v.exposure == 1 ? std::string() : fmt::format(" with exposure {:.3f}", v.exposure));
   }
   if (v.clipped > 0) {
-    text += fmt::format("  {} clipped pixels left out\n", v.clipped);
+    text += fmt::format("  {} clipped pixel{} left out\n", v.clipped, v.clipped == 1 ? "" : "s");
   }
   if (v.fireflies > 0) {
-    text += fmt::format("  {} fireflies with {:.1f} % of the light\n", v.fireflies,
+    text += fmt::format("  {} with {:.1f} % of the light\n",
+                        v.fireflies == 1 ? "1 firefly" : fmt::format("{} fireflies", v.fireflies),
                         100 * v.firefly_energy);
   }
   return text;

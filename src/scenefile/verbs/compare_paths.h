@@ -27,6 +27,8 @@ RenderStatus judge_by_truth(const LoadedScene& scene, const RenderOptions& optio
 
 /// The verdict as human-readable text.
 std::string path_verdict_text(const PathVerdict& verdict);
+/// Of a verdict that is too_noisy: what would help.
+std::string too_noisy_text(const PathVerdict& verdict);
 
 /// The truth, tone-mapped like PNG files of mode path.
 Texture truth_picture(const PathTruth& truth);

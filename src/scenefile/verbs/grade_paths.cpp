@@ -89,10 +89,7 @@ Result<std::vector<PathReference>> path_references(const std::string& folder,
 void set_result(const PathVerdict& v, PictureResult& result) {
   result.verdict = v.right ? Verdict::passed : Verdict::differs;
   if (v.too_noisy) {
-    result.reasons.push_back(
-        fmt::format("too noisy to tell whether it is right: about {:.0f} times as many samples "
-                    "per pixel would do",
-                    std::ceil(std::max(1.0, v.more_samples))));
+    result.reasons.push_back("cannot tell whether it is right: " + too_noisy_text(v));
   } else if (v.tested == 0) {
     result.reasons.push_back("no part of it can be compared with the truth");
   } else if (!v.right) {

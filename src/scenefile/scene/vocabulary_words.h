@@ -52,7 +52,7 @@ struct ValueWord {
   std::vector<std::string_view> repeats{};  ///< image: keys of how often it repeats
   bool required_in_xml = false;             ///< by the lights that use it
   bool required_in_json = false;            ///< the same; false if that depends on the light
-  std::string_view assumed_in_xml{};  ///< with a warning if it is missing; may be empty
+  std::string_view assumed_in_xml{};        ///< with a warning if it is missing; may be empty
   std::string fallback{};  ///< JSON: what counts if it is missing; empty: that depends
   std::vector<std::string_view> needed_by{};  ///< in JSON, if that depends on the type of the light
   std::vector<std::string_view> used_by{};    ///< the types of light

@@ -212,7 +212,8 @@ TEST_F(Judge, NamesLightThatWasNotAskedFor) {
   options.direct_only = true;
   PathTruth direct;
   ASSERT_EQ(draw_truth(traced, room.scene, options, 0, 24, {}, direct), RenderStatus::complete);
-  ASSERT_EQ(draw_variants(room.scene, room.assets, options, 2, {}, direct), RenderStatus::complete);
+  ASSERT_EQ(draw_variants(all_variants, room.scene, room.assets, options, 2, {}, direct),
+            RenderStatus::complete);
   options.seed = 5;
   EXPECT_EQ(names(judge_path(direct, drawn()).causes), "");
   options.direct_only = false;

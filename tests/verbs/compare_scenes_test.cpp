@@ -249,6 +249,8 @@ TEST(CompareScenes, ColorsTheLinesThatDiffer) {
                               "\033[32m+    <ambientcoeff v=\"0.25\"/>\033[0m\n"),
                     HasSubstr("\n\033[36m@@ a:2:3 b:2:3 @@ global data\033[0m\n")));
   EXPECT_THAT(compare_scenes_text(a, b, diff), Not(HasSubstr("\033")));
+  EXPECT_EQ(difference_text(diff.differences.at(0)),
+            "global data\n-<ambientcoeff v=\"0.5\"/>\n+<ambientcoeff v=\"0.25\"/>");
 }
 
 }  // namespace

@@ -683,9 +683,11 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
                      *cut),
          "visible lamps", 1});
   }
-  for (const PathModel& m : reading.models) {
-    if (verdict.causes.empty() && m.variant && reading.is_like_noise(m)) {
-      verdict.noisy_variants.push_back(*m.variant);
+  if (verdict.causes.empty() && verdict.conventions.empty()) {
+    for (const PathModel& m : reading.models) {
+      if (m.variant && reading.is_like_noise(m)) {
+        verdict.noisy_variants.push_back(*m.variant);
+      }
     }
   }
   if (!verdict.causes.empty()) {

@@ -75,7 +75,7 @@ struct PathVerdict {
   std::size_t not_finite = 0;  ///< pixels
   std::size_t clipped = 0;     ///< pixels
   double chi2_per_value = 0;   ///< of the best explanation; about 1 if it is complete
-  /// Those that may explain a picture without a cause, and would need more samples to say so.
+  /// Those that may explain a picture that nothing else does, but have too few samples to say so.
   std::vector<Variant> noisy_variants;
 };
 

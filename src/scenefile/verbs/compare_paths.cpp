@@ -106,11 +106,9 @@ std::string path_verdict_text(const PathVerdict& v) {
     return text;
   }
   text += fmt::format(
-      "  {} blocks of {}x{} pixels; largest difference {:.1f} standard errors{} ({:.1f} is the "
-      "most by chance)\n",
-      v.tested, block_side, block_side, v.largest,
-      v.tested == 0 ? "" : fmt::format(" at pixel {},{}", v.largest_at.x, v.largest_at.y),
-      v.critical);
+      "  {} blocks of {}x{} pixels; largest difference {:.1f} standard errors at pixel {},{} "
+      "({:.1f} is the most by chance)\n",
+      v.tested, block_side, block_side, v.largest, v.largest_at.x, v.largest_at.y, v.critical);
   for (const PathPlace& place : v.places) {
     text += fmt::format("  {}: {:.3f} +- {:.3f} of the truth's ({:.1f} % of it)\n", place.name,
                         place.factor, place.error, 100 * place.share);

@@ -509,12 +509,12 @@ ExitCode run_frames(const Options& given, Context& context) {
         const std::size_t written =
             options.range ? static_cast<std::size_t>(options.range->last - options.range->first + 1)
                           : frames;
-        return fmt::format("{}: {} scene{} written; {:.2f} s\n", escaped(given.write_scenes),
-                           written, written == 1 ? "" : "s", seconds);
+        return fmt::format("{}: {} written; {:.2f} s\n", escaped(given.write_scenes),
+                           counted(written, "scene"), seconds);
       }
-      return fmt::format("{}: {} of {} frame{} drawn, {} skipped; {:.2f} s\n",
-                         escaped(given.output.empty() ? given.video : given.output), drawn, frames,
-                         frames == 1 ? "" : "s", skipped, seconds);
+      return fmt::format("{}: {} of {} drawn, {} skipped; {:.2f} s\n",
+                         escaped(given.output.empty() ? given.video : given.output), drawn,
+                         counted(frames, "frame"), skipped, seconds);
     });
   }
   return outcome.status;

@@ -174,10 +174,15 @@ constexpr std::array command_rows{
             "scenefile help camera.up-parallel-to-look\n"
             "scenefile help shadows",
             run_help, at_most_two},
-    Command{"version", for_version, "", "print the version",
+    Command{"version",
+            for_version,
+            "",
+            "print the version",
             "Prints the version, how the program was built, and what it uses to trace rays on this "
             "machine: the version of Embree and the instruction set.",
-            "scenefile version\nscenefile --version", run_version, at_most_one},
+            "scenefile version\nscenefile --version",
+            run_version,
+            {0, 0}},
 };
 
 // The precedence of exit statuses.

@@ -155,7 +155,9 @@ std::string check_count(const Command& command, const std::vector<std::string>& 
       hint = "; the scene of two pictures goes after --scene";
     }
     return fmt::format("{} takes {}; unexpected {}{}", command.name,
-                       most == 1 ? "one argument" : fmt::format("{} arguments", most),
+                       most == 0   ? "no arguments"
+                       : most == 1 ? "one argument"
+                                   : fmt::format("{} arguments", most),
                        quoted(extra, 400), hint);
   }
   return {};
@@ -289,9 +291,6 @@ std::string check_store(const Options& options) {
 
 // Checks of render that need more than one option.
 std::string check_render(const Options& options) {
-  if (options.json && is_standard_output(options.output)) {
-    return "the picture and --json cannot both go to standard output";
-  }
   if (std::string wrong = check_store(options); !wrong.empty()) {
     return wrong;
   }
@@ -363,21 +362,34 @@ std::string check_grade(const Options& options) {
   return check_store(options);
 }
 
+// Whether standard output is for a file, not for an answer.
+bool writes_to_stdout(const Command& command, const Options& options) {
+  switch (command.bit) {
+    case for_render:
+      return is_standard_output(options.output);
+    case for_convert:
+      return is_standard_output(options.arguments[1]);
+    case for_check:
+    case for_format:
+      return (command.bit == for_format ? !options.check : options.fix && !options.dry_run) &&
+             std::any_of(options.arguments.begin(), options.arguments.end(), is_standard_output);
+    default:
+      return false;
+  }
+}
+
 // Checks that need more than one option.
 std::string check_together(const Command& command, Options& options) {
   if (std::string wrong = check_count(command, options.arguments); !wrong.empty()) {
     return wrong;
   }
+  if ((options.json || options.sarif) && writes_to_stdout(command, options)) {
+    return fmt::format("the {} and --{} cannot both go to standard output",
+                       command.bit == for_render ? "picture" : "file",
+                       options.json ? "json" : "sarif");
+  }
   if (command.bit == for_convert) {
     return choose_format(options);
-  }
-  const bool writes = command.bit == for_format
-                          ? !options.check
-                          : command.bit == for_check && options.fix && !options.dry_run;
-  if (writes && (options.json || options.sarif) &&
-      std::count(options.arguments.begin(), options.arguments.end(), "-") != 0) {
-    return fmt::format("the file and --{} cannot both go to standard output",
-                       options.json ? "json" : "sarif");
   }
   if (command.bit == for_grade) {
     if (std::string wrong = check_grade(options); !wrong.empty()) {

@@ -90,6 +90,9 @@ TEST(Usage, AcceptsFileNamesWithADashAfterTwoDashes) {
 }
 
 TEST(Usage, RejectsTwoOutputsOnStandardOutput) {
+  is_misuse({"convert", "a.xml", "-", "--to", "json", "--json"},
+            "the file and --json cannot both go to standard output");
+  is_misuse({"version", "hello"}, "version takes no arguments; unexpected \"hello\"");
   is_misuse({"render", "a.xml", "-o", "-", "--json"}, "cannot both go to standard output");
   is_misuse({"render", "a.xml", "-o", "/dev/stdout", "--json"},
             "cannot both go to standard output");

@@ -147,8 +147,7 @@ class MeshLoader {
       diagnostics_.add(std::move(finding));
     }
     if (const std::size_t errors = findings.count(Severity::error); errors > 0) {
-      report("mesh.unusable"_code, file,
-             fmt::format("{} error{} in the file", errors, errors == 1 ? "" : "s"), {});
+      report("mesh.unusable"_code, file, counted(errors, "error") + " in the file", {});
     }
     return mesh;
   }

@@ -312,8 +312,7 @@ class ObjReader {
     }
     if (count < 3) {
       report("mesh.short-face"_code, location,
-             fmt::format("a face with {} corner{} is left out: it needs three", count,
-                         count == 1 ? "" : "s"));
+             fmt::format("a face with {} is left out: it needs three", counted(count, "corner")));
     }
   }
 
@@ -449,8 +448,8 @@ class ObjReader {
       }
     }
     report("mesh.zero-normal"_code, first_zero_normal_,
-           fmt::format("{} normal{} of length zero: triangles that use them are shaded flat",
-                       zero_normals_, zero_normals_ == 1 ? "" : "s"));
+           counted(zero_normals_, "normal") +
+               " of length zero: triangles that use them are shaded flat");
   }
 
   ObjWords words_;

@@ -152,10 +152,6 @@ void append_dropped(std::string& out, const Diagnostics& diagnostics) {
   }
 }
 
-std::string counted(std::size_t count, std::string_view what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
 }  // namespace
 
 std::vector<const Diagnostic*> by_place(const Diagnostics& diagnostics) {

@@ -45,6 +45,10 @@ void append_shown(std::string& out, CodePoint c, std::string_view bytes) {
 
 }  // namespace
 
+std::string counted(std::size_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 CodePoint first_code_point(std::string_view text) {
   if (text.empty()) {
     return {};

@@ -1,5 +1,5 @@
 #pragma once
-// Makes text from a file safe to show in a message.
+// Words of messages, and text from a file that is safe to show in one.
 
 #include <cstddef>
 #include <string>
@@ -14,6 +14,9 @@ std::string escaped(std::string_view text, std::size_t max_characters = 400);
 
 /// escaped() in double quotes.
 std::string quoted(std::string_view text, std::size_t max_characters = 40);
+
+/// "1 picture", "2 pictures": for nouns that add an s.
+std::string counted(std::size_t count, std::string_view what);
 
 /// One character of UTF-8.
 struct CodePoint {

@@ -274,6 +274,37 @@ class Tally {
   std::map<std::tuple<const Code*, std::uint32_t, std::string_view>, std::size_t> messages_;
 };
 
+// Where an edit has written: an error there is the edit's own.
+class WrittenPlaces {
+ public:
+  WrittenPlaces(std::string_view text, const Edit& back) : file_(text), back_(back) {}
+
+  // At the place of the error, or in the value of the JSON key there.
+  bool have(const Diagnostic& d) const {
+    const std::optional<std::size_t> at = file_.offset(d.location);
+    if (d.severity != Severity::error || !at || *at >= file_.text().size()) {
+      return false;
+    }
+    const std::string_view key = file_.text()[*at] == '"' && !file_.is_xml()
+                                     ? json_string_at(file_.text(), *at)
+                                     : std::string_view();
+    return wrote(*at) ||
+           (!key.empty() && wrote(file_.text().find_first_not_of(" \t\r\n:", *at + key.size())));
+  }
+
+ private:
+  bool wrote(std::size_t offset) const {
+    return offset < file_.text().size() &&
+           std::any_of(back_.changes.begin(), back_.changes.end(),
+                       [at = file_.in_bytes(offset)](const TextChange& change) {
+                         return at >= change.at && at <= change.at + change.size;
+                       });
+  }
+
+  FileText file_;
+  Edit back_;
+};
+
 // How many objects and lights differ; one that was added counts as one with all that it contains.
 std::size_t count_changed_parts(const Scene& before, const Scene& after, SceneFormat format) {
   const SceneListing a = list_scene(before, format);
@@ -334,10 +365,12 @@ class Round {
     }
     const std::string text = applied(text_, edit);
     const Reading after = read_and_check(text, options_);
-    return findings_are_right(candidates, after) && scene_is_right(candidates, after);
+    const WrittenPlaces written(text, inverse(text_, edit));
+    return findings_are_right(candidates, after, written) && scene_is_right(candidates, after);
   }
 
-  bool findings_are_right(std::span<const Candidate> candidates, const Reading& after) const {
+  bool findings_are_right(std::span<const Candidate> candidates, const Reading& after,
+                          const WrittenPlaces& written) const {
     const Tally now(after);
     std::map<std::tuple<const Code*, std::uint32_t, std::string_view>, std::size_t> fixed;
     Place stop;  // the last place where reading stopped, if it did
@@ -354,8 +387,9 @@ class Round {
         });
     const auto& list = after.findings.list();
     return all_gone && std::all_of(list.begin(), list.end(), [&](const Diagnostic& d) {
-             const bool revealed = d.code->kind == CodeKind::absence ||
-                                   (stop != Place() && (!is_syntax(d) || place_of(d) > stop));
+             const bool revealed =
+                 d.code->kind == CodeKind::absence ||
+                 (stop != Place() && (!is_syntax(d) || place_of(d) > stop) && !written.have(d));
              return revealed || now.on_line(d) <= before_.on_line(d);
            });
   }

@@ -243,8 +243,7 @@ std::string describe_json(const JsonTape& tape, JsonIndex value) {
     case '[': {
       const std::size_t count = count_elements(tape, value);
       const bool numbers = count != 0 && all_numbers(tape, value);
-      return fmt::format("an array of {} {}{}", count, numbers ? "number" : "value",
-                         count == 1 ? "" : "s");
+      return "an array of " + counted(count, numbers ? "number" : "value");
     }
     case '"':
       return "the string " + quoted(tape.string(value));

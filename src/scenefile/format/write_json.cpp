@@ -64,8 +64,8 @@ class JsonForm {
     if (splits_ != 0) {
       diagnostics_.report(
           "write.transforms-nested"_code, {},
-          fmt::format("the transforms of {} group{} have an order that needs nested groups in JSON",
-                      splits_, splits_ == 1 ? "" : "s"));
+          fmt::format("the transforms of {} have an order that needs nested groups in JSON",
+                      counted(splits_, "group")));
     }
     drop_empty_groups(scene_, {}, diagnostics_);
     keep_templates_names();

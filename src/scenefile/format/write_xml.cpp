@@ -204,8 +204,7 @@ class XmlForm {
       taken.insert(*light.id);
     }
     if (without != 0) {
-      diagnostics_.report("write.light-id"_code, {},
-                          fmt::format("{} light{} got an id", without, without == 1 ? "" : "s"));
+      diagnostics_.report("write.light-id"_code, {}, counted(without, "light") + " got an id");
     }
   }
 

@@ -1,5 +1,6 @@
 #include "scenefile/grade/placed_copy.h"
 
+#include "scenefile/base/text.h"
 #include "scenefile/grade/claims.h"
 #include "scenefile/grade/evidence.h"
 
@@ -213,7 +214,7 @@ std::optional<PlacedCopy> find_shift_of_copy(const Texture& reference, const Tex
     return std::nullopt;
   }
   const auto by = [](int pixels, const char* less, const char* more) {
-    return fmt::format("{} pixel{} {}", std::abs(pixels), std::abs(pixels) == 1 ? "" : "s",
+    return fmt::format("{} {}", counted(static_cast<std::size_t>(std::abs(pixels)), "pixel"),
                        pixels < 0 ? less : more);
   };
   std::string what = "the picture is shifted by ";

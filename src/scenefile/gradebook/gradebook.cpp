@@ -225,11 +225,11 @@ std::string gradebook_text(const Gradebook& book) {
   const std::size_t passed = book.count(Verdict::passed);
   const std::size_t differ = book.count(Verdict::differs);
   return text + fmt::format(
-                    "{} student{}: {} picture{} passed, {} differ{}, {} missing, {} "
+                    "{}: {} passed, {} differ{}, {} missing, {} "
                     "unreadable\n",
-                    book.students.size(), book.students.size() == 1 ? "" : "s", passed,
-                    passed == 1 ? "" : "s", differ, differ == 1 ? "s" : "",
-                    book.count(Verdict::missing), book.count(Verdict::unreadable));
+                    counted(book.students.size(), "student"), counted(passed, "picture"), differ,
+                    differ == 1 ? "s" : "", book.count(Verdict::missing),
+                    book.count(Verdict::unreadable));
 }
 
 }  // namespace scenefile

@@ -1,4 +1,5 @@
 #include "scenefile/base/base64.h"
+#include "scenefile/base/text.h"
 #include "scenefile/grade/cause_help.h"
 #include "scenefile/gradebook/gradebook.h"
 #include "scenefile/gradebook/markup.h"
@@ -13,11 +14,6 @@
 namespace scenefile {
 
 namespace {
-
-// "1 picture", "2 pictures".
-std::string counted(std::size_t count, std::string_view what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 std::string_view sign_of(Verdict verdict) {
   switch (verdict) {

@@ -125,7 +125,8 @@ std::vector<Top> tops_of(const ClassListing& listing, const std::vector<FoundFil
   std::vector<Top> list;
   for (auto& [name, top] : tops) {
     top.name = name;
-    top.archive = is_archive_name(name) || (!top.folder && is_other_archive(name));
+    top.archive =
+        !is_hidden_name(name) && (is_archive_name(name) || (!top.folder && is_other_archive(name)));
     top.of_system = read_name(name, references, top.system);
     list.push_back(std::move(top));
   }

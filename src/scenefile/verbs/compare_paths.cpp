@@ -1,5 +1,6 @@
 #include "scenefile/verbs/compare_paths.h"
 
+#include "scenefile/base/text.h"
 #include "scenefile/path/lamps.h"
 #include "scenefile/path/tone.h"
 #include "scenefile/trace/trace_scene.h"
@@ -121,7 +122,7 @@ std::string path_verdict_text(const PathVerdict& v) {
         v.exposure == 1 ? std::string() : fmt::format(" with exposure {:.3f}", v.exposure));
   }
   if (v.clipped > 0) {
-    text += fmt::format("  {} clipped pixel{} left out\n", v.clipped, v.clipped == 1 ? "" : "s");
+    text += fmt::format("  {} left out\n", counted(v.clipped, "clipped pixel"));
   }
   if (v.fireflies > 0) {
     text += fmt::format("  {} with {:.1f} % of the light\n",

@@ -199,7 +199,7 @@ std::string verdict_text(const std::string& a, const std::string& b, const Scene
   if (diff.same_meaning) {
     return both + (diff.equal ? ": no difference\n" : ": same meaning, written differently\n");
   }
-  return fmt::format("{}: {} difference{}\n", both, count, count == 1 ? "" : "s");
+  return fmt::format("{}: {}\n", both, counted(count, "difference"));
 }
 
 // With colors as by git.

@@ -88,9 +88,9 @@ class PathText {
     ExplainItem& item = top.add(fmt::format("{} {}", bold("samples"), count));
     for (std::size_t i = 0; i < std::min(count, max_explained_samples); ++i) {
       const PathSample& s = pixel_.samples[i];
-      item.add(fmt::format("{:>2} at {:.4f},{:.4f}{}: {}, {} surface{}{}", i, s.point.x, s.point.y,
-                           lens_text(s.lens), color(s.light), s.surfaces,
-                           s.surfaces == 1 ? "" : "s", i == pixel_.shown ? "  <- shown" : ""));
+      item.add(fmt::format("{:>2} at {:.4f},{:.4f}{}: {}, {}{}", i, s.point.x, s.point.y,
+                           lens_text(s.lens), color(s.light), counted(s.surfaces, "surface"),
+                           i == pixel_.shown ? "  <- shown" : ""));
     }
     if (count > max_explained_samples) {
       item.add(fmt::format("and {} more", count - max_explained_samples));

@@ -151,11 +151,11 @@ class Explanation {
   std::string sample_text(std::size_t index) const {
     const SampleRecord& s = pixel_.samples[index];
     std::string text =
-        fmt::format("{:>2} at {:.4f},{:.4f}{}: {}, {} ray{}, {}", index, s.point.x, s.point.y,
+        fmt::format("{:>2} at {:.4f},{:.4f}{}: {}, {}, {}", index, s.point.x, s.point.y,
                     s.lens == glm::dvec2(0)
                         ? ""
                         : fmt::format(" through the lens at {:.3f},{:.3f}", s.lens.x, s.lens.y),
-                    color(s.color), s.rays, s.rays == 1 ? "" : "s",
+                    color(s.color), counted(s.rays, "ray"),
                     s.object.has_value() ? object(*s.object) : "background");
     if (s.refines != no_index) {
       text += fmt::format(", for a quarter of {}", s.refines);
@@ -192,8 +192,8 @@ class Explanation {
         break;
     }
     const std::size_t count = pixel.shares.size();
-    item.add(fmt::format("color = {} of {} pixel{} of the frame, counted from the lower left",
-                         of_sum, count, count == 1 ? "" : "s"));
+    item.add(fmt::format("color = {} of {} of the frame, counted from the lower left", of_sum,
+                         counted(count, "pixel")));
     for (std::size_t i = 0; i < std::min(count, max_explained_samples); ++i) {
       const RealtimeFramePixel& share = pixel.shares[i];
       item.add(

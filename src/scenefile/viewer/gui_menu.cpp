@@ -135,9 +135,8 @@ std::string paths_text(const Session& session) {
     return "path tracing";
   }
   const TracedPicture& picture = *session.traced;
-  std::string text = fmt::format(
-      "{} {} sample{}", picture.complete ? "path traced:" : "path tracing:", picture.samples,
-      picture.samples == 1 ? "" : "s");
+  std::string text = fmt::format("{} {}", picture.complete ? "path traced:" : "path tracing:",
+                                 counted(picture.samples, "sample"));
   if (picture.noise > 0) {
     text += fmt::format(", noise {:.1f} %", 100 * picture.noise);
   }

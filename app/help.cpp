@@ -8,7 +8,7 @@
 #include "app/output.h"
 #include "app/wrap.h"
 #include "scenefile/base/text.h"
-#include "scenefile/grade/cause_help.h"
+#include "scenefile/mistakes/cause_help.h"
 #include "scenefile/scene/vocabulary_words.h"
 #include "scenefile/verbs/codes.h"
 

@@ -6,7 +6,7 @@
 #include "app/realtime.h"
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/geometry/shapes.h"
-#include "scenefile/grade/cause_help.h"
+#include "scenefile/mistakes/cause_help.h"
 #include "scenefile/scene/summary.h"
 #include "scenefile/verbs/load_file.h"
 

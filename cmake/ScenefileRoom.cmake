@@ -20,7 +20,7 @@ target_compile_options(scenefile_options INTERFACE
   $<$<BOOL:${SCENEFILE_WERROR}>:-Werror>)
 
 # Rooms whose speed matters more than their size in WebAssembly, which pages download.
-set(SCENEFILE_FAST_ROOMS base geometry compare trace path noise grade)
+set(SCENEFILE_FAST_ROOMS base geometry compare trace path noise mistakes grade)
 
 # Rooms whose speed does not matter, because they print, or call others: all of their sources are COLD.
 set(SCENEFILE_COLD_ROOMS edit explain export gradebook import io lsp verbs)

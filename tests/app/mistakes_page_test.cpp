@@ -1,7 +1,7 @@
 // docs/mistakes.md is the program's output, and every cause has a page.
 
 #include "app/run_program.h"
-#include "scenefile/grade/cause_help.h"
+#include "scenefile/mistakes/cause_help.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

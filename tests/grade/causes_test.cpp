@@ -5,7 +5,7 @@
 #include "scenefile/grade/causes.h"
 
 #include "grade/generated_scene.h"
-#include "scenefile/grade/hypotheses.h"
+#include "scenefile/mistakes/hypotheses.h"
 #include "scenefile/scene/prepare.h"
 
 #include <gmock/gmock.h>

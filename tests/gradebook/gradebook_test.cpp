@@ -1,9 +1,9 @@
 #include "scenefile/gradebook/gradebook.h"
 
 #include "scenefile/base/base64.h"
-#include "scenefile/grade/cause_help.h"
 #include "scenefile/grade/claims.h"
 #include "scenefile/gradebook/markup.h"
+#include "scenefile/mistakes/cause_help.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -65,6 +65,37 @@ TEST(ComparePictures, ASmallAreaIsNotADetail) {
             find_causes(reference, scattered).share_different);
 }
 
+// Where values differ by more than rounding, though by little, the answer says so.
+TEST(ComparePictures, WordsOfDetails) {
+  Texture reference{64, 48, {}};
+  for (int i = 0; i < 64 * 48; ++i) {
+    const auto value = static_cast<std::uint8_t>(i % 64 < 32 ? 40 + i / 64 : 200);  // an edge
+    reference.rgb.insert(reference.rgb.end(), {value, value, 90});
+  }
+  const auto with = [&](auto change) {
+    Texture test = reference;
+    for (std::size_t i = 0; i < test.rgb.size(); ++i) {
+      test.rgb[i] = static_cast<std::uint8_t>(test.rgb[i] + change(i));
+    }
+    return words_of_details(reference, test);
+  };
+  EXPECT_EQ(with([](std::size_t i) { return i % 3 == 0   ? 1
+                                            : i % 3 == 1 ? -1
+                                                         : 0; }),
+            "at edges and by rounding");
+  EXPECT_EQ(with([](std::size_t i) { return i == 3000 ? 3 : 0; }), "at edges and by rounding");
+  EXPECT_EQ(with([](std::size_t i) { return i % 2 == 0 ? 3 : -3; }),
+            "at edges, and by up to 3/255 elsewhere");
+  EXPECT_EQ(with([](std::size_t) { return -4; }),
+            "at edges, and by up to 4/255 elsewhere; nearly all values are lower, on average by "
+            "4.0/255");
+  EXPECT_EQ(with([](std::size_t) { return 1; }),
+            "at edges, and by up to 1/255 elsewhere; nearly all values are higher, on average by "
+            "1.0/255");
+  EXPECT_EQ(with([&](std::size_t i) { return i % 192 == 93 ? 160 : 0; }),
+            "at edges and by rounding");
+}
+
 // The ball with a highlight, larger, on a table.
 std::string still_life(const std::string& diffuse, const std::string& specular) {
   return R"(<scenefile>

@@ -387,9 +387,11 @@ class Round {
         });
     const auto& list = after.findings.list();
     return all_gone && std::all_of(list.begin(), list.end(), [&](const Diagnostic& d) {
-             const bool revealed =
-                 d.code->kind == CodeKind::absence ||
-                 (stop != Place() && (!is_syntax(d) || place_of(d) > stop) && !written.have(d));
+             if (written.have(d)) {
+               return now.of_message(d) <= before_.of_message(d);
+             }
+             const bool revealed = d.code->kind == CodeKind::absence ||
+                                   (stop != Place() && (!is_syntax(d) || place_of(d) > stop));
              return revealed || now.on_line(d) <= before_.on_line(d);
            });
   }

@@ -2,105 +2,16 @@
 // Finds out why a picture differs from its reference: simulates common mistakes, and names one only
 // if simulating it turns the reference into the picture.
 
-#include "scenefile/scene/prepare.h"
-#include "scenefile/scene/scene.h"
-#include "scenefile/trace/render.h"
+#include "scenefile/mistakes/cause.h"
+#include "scenefile/mistakes/views.h"
 
-#include <array>
 #include <functional>
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace scenefile {
-
-/// Types of mistakes. Those up to half_pixel_shift can be found without the scene.
-enum class Cause : std::uint8_t {
-  vertical_flip,
-  horizontal_flip,
-  gamma,     ///< values are powers of the reference's values, or sRGB-encoded
-  rounding,  ///< off by one: truncated instead of rounded, or vice versa; not a mistake
-  swapped_channels,
-  half_pixel_shift,  ///< rays through corners or edges of pixels instead of centers
-  ambient,           ///< term missing, doubled, or added once per light
-  diffuse,           ///< term missing, doubled, or combined wrongly
-  specular,          ///< term missing, doubled, or combined wrongly
-  blinn,             ///< Blinn's highlight instead of Phong's
-  attenuation,       ///< falloff of lights with distance
-  normals,           ///< not transformed by the inverse transpose, inverted, not normalized
-  shadows,           ///< none, or by wrong rays
-  acne,              ///< surfaces shadow themselves in spots
-  texture,           ///< mirrored, not repeated, missing, or blended wrongly
-  recursion_depth,   ///< too few or too many reflections
-  spot_falloff,      ///< no smoothstep between the angles, or wrong angles
-  camera,            ///< angles, aspect ratio, axes
-  transforms,        ///< order, transposition, signs, degrees
-  shapes,            ///< caps or shapes missing, sizes, the cone's normal
-  nearest_hit,       ///< a hit other than the nearest is shown
-  lights,            ///< vectors, colors, types and number of lights
-  reflection,        ///< combined wrongly, or missing
-  refraction,        ///< missing, wrong direction, wrong weights
-  overflow,          ///< values above 1 wrap around, or are scaled
-  background,
-  brightness,    ///< the whole picture times a factor, inverted, or gray
-  black,         ///< nothing was drawn
-  features,      ///< drawn with other features or in another mode than the reference
-  samples,       ///< samples of a pixel combined wrongly
-  scene_edited,  ///< a value of the scene file is another
-  // Of the assignment Realtime (realtime_causes.h).
-  tessellation,  ///< other parameters, wedges or quads
-  facets,        ///< flat normals, or lighting per vertex
-  culling,       ///< missing, or triangles with the wrong winding order
-  clipping,      ///< near and far planes
-  filter,        ///< missing, wrong kernel, wrong border
-  viewport,      ///< size of the viewport, the frame and the window's aspect ratio
-  // Of the assignment Path (noise/judge_path.h).
-  light_samples,   ///< of lamps: distance, cosine, area, choice, shadows
-  scattering,      ///< cosine, BSDF and density of directions
-  path_length,     ///< where paths end, and which hits of lamps count
-  specular_paths,  ///< mirrors and glass
-};
-
-inline constexpr std::size_t cause_count = static_cast<std::size_t>(Cause::specular_paths) + 1;
-
-/// The name in JSON output, such as "half-pixel-shift".
-std::string_view name_of(Cause cause);
-
-/// A mistake, with the evidence for it.
-struct Claim {
-  Cause cause = Cause::rounding;
-  std::string what;      ///< "the texture is upside down"
-  std::string evidence;  ///< how much of the difference it explains, as text
-  double explained = 0;  ///< fraction of the difference that the mistake removes, <= 1
-  bool said = false;     ///< for a rival: the claim's text already names it
-  /// If several mistakes give the same picture: the words for each, the likeliest first. `what`
-  /// names them all.
-  std::vector<std::string> alternatives = {};
-};
-
-/// The scene of the reference, and how it was drawn: profile, mode, features and depth. Size
-/// and samples of the options are not used.
-struct SceneView {
-  const RenderScene* scene = nullptr;
-  const Assets* assets = nullptr;
-  RenderOptions options;
-  const Scene* written = nullptr;  ///< the written scene; null: transforms are not tried
-  std::string said;                ///< a description; may be empty
-  /// If the pictures are a part of the picture of the scene: its size, and where their upper left
-  /// corner is in it, in their pixels. 0: they are the whole picture.
-  glm::dvec2 whole{0};
-  glm::dvec2 corner{0};
-  int samples = 1;  ///< of a pixel, across and down; more for pictures that were scaled down
-  /// That `scene` refers to; needed with `written`.
-  const std::vector<Source>* sources = nullptr;
-  /// By pixel of the picture, by how much compression may have changed its color, in 1/255;
-  /// infinite: the color is no evidence. Empty: there was no compression.
-  std::vector<float> noise = {};
-  /// A place in the pictures, in their pixels, for CauseReport::asked.
-  std::optional<glm::dvec2> asked = std::nullopt;
-};
 
 /// Light of a light, in 1/255.
 struct LightParts {
@@ -158,6 +69,10 @@ CauseReport find_causes(const Texture& reference, const Texture& test,
                         const SceneView* view = nullptr,
                         const std::function<bool(double done)>& go_on = {},
                         LookFor look_for = LookFor::several_at_once);
+
+/// What the differences are, if CauseReport::only_details, in words: "at edges and by rounding", or
+/// by how much values differ elsewhere.
+std::string words_of_details(const Texture& reference, const Texture& test);
 
 /// What the scene shows at the center of a pixel of a picture of that size: RenderPrimitive::source
 /// of the nearest shape. nullopt if there is none, or if the scene has too many shapes.

@@ -802,36 +802,6 @@ std::optional<Tried> Search::run_beside_another() {
 
 }  // namespace
 
-std::optional<RenderScene> ready_with_same_files(const RenderScene& scene, const Scene& changed) {
-  const auto number = [](const std::vector<FileReference>& files, const std::string& name) {
-    const auto found = std::find_if(files.begin(), files.end(),
-                                    [&](const FileReference& f) { return f.name == name; });
-    return found == files.end() ? no_index : static_cast<std::uint32_t>(found - files.begin());
-  };
-  RenderScene ready = prepare(changed, Limits()).scene;
-  for (RenderMaterial& m : ready.materials) {
-    for (RenderTexture* texture : {&m.texture, &m.bump_map}) {
-      if (texture->used()) {
-        texture->file = number(scene.texture_files, ready.texture_files[texture->file].name);
-        if (!texture->used()) {
-          return std::nullopt;
-        }
-      }
-    }
-  }
-  for (RenderGroup& group : ready.groups) {
-    for (RenderPrimitive& p : group.primitives) {
-      if (p.mesh != no_index) {
-        p.mesh = number(scene.mesh_files, ready.mesh_files[p.mesh].name);
-        if (p.mesh == no_index) {
-          return std::nullopt;
-        }
-      }
-    }
-  }
-  return ready;
-}
-
 std::optional<Tried> find_edit_beside(Simulation& sim, const Combination& mistakes) {
   return sim.shapes->parts.size() > max_parts || sim.has_noise()
              ? std::nullopt

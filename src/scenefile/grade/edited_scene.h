@@ -8,9 +8,6 @@
 
 namespace scenefile {
 
-/// The changed scene, ready to be drawn with the assets of the view; nullopt if it needs others.
-std::optional<RenderScene> ready_with_same_files(const RenderScene& scene, const Scene& changed);
-
 /// Adds the edited scene to the list and returns its score, if drawing it reproduces the picture:
 /// alone, beside some of the combinations in `beside`, or beside another mistake.
 std::optional<Tried> find_edited_scene(Simulation& sim, const std::vector<Combination>& beside);

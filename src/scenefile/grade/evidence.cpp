@@ -2,6 +2,8 @@
 
 #include "scenefile/grade/causes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,7 +15,8 @@ using glm::dvec3;
 
 namespace {
 
-constexpr double worst = 64;  // larger errors count as this
+constexpr double worst = 64;         // larger errors count as this
+constexpr int small_difference = 4;  // other arithmetic may cause it
 
 }  // namespace
 
@@ -31,6 +34,13 @@ Range around(const Texture& t, int x, int y) {
     }
   }
   return {dvec3(low[0], low[1], low[2]), dvec3(high[0], high[1], high[2])};
+}
+
+double off_beyond_edges(const Texture& a, const Texture& b, int x, int y) {
+  const Range of_a = around(a, x, y);
+  const Range of_b = around(b, x, y);
+  return std::max(largest_of(outside(at(a, x, y), of_b.low, of_b.high)),
+                  largest_of(outside(at(b, x, y), of_a.low, of_a.high)));
 }
 
 Score score(const std::vector<Point>& points, std::size_t count, const Colors& colors) {
@@ -150,6 +160,46 @@ bool only_details(const Pixels& pixels, const Texture& test) {
          });
 }
 
+std::string words_of_details(const Texture& reference, const Texture& test) {
+  constexpr double nearly_all = 0.9;
+  std::array<std::size_t, small_difference + 1> pixels{};  // by their difference, but for edges
+  std::size_t higher = 0;
+  std::size_t lower = 0;
+  double sum = 0;
+  for (int y = 0; y < test.height; ++y) {
+    for (int x = 0; x < test.width; ++x) {
+      const dvec3 d = at(test, x, y) - at(reference, x, y);
+      const double most = largest_of(glm::abs(d));
+      if (most <= small_difference) {
+        const double off = most > 1 ? off_beyond_edges(reference, test, x, y) : most;
+        ++pixels[static_cast<std::size_t>(off)];
+        sum += d.x + d.y + d.z;
+        for (const double value : {d.x, d.y, d.z}) {
+          higher += value > 0 ? 1 : 0;
+          lower += value < 0 ? 1 : 0;
+        }
+      }
+    }
+  }
+  // A few pixels may be at edges that the neighbors do not show.
+  const double all = double(test.width) * test.height;
+  double left = 0;
+  int largest = small_difference;
+  while (largest > 1 && left + double(pixels[largest]) <= max_share_same * all) {
+    left += double(pixels[largest--]);
+  }
+  const double values = 3 * all;
+  const bool shifted = double(std::max(higher, lower)) >= nearly_all * values;
+  if (largest == 1 && !shifted) {
+    return "at edges and by rounding";
+  }
+  return fmt::format("at edges, and by up to {}/255 elsewhere{}", largest,
+                     shifted
+                         ? fmt::format("; nearly all values are {}, on average by {:.1f}/255",
+                                       higher > lower ? "higher" : "lower", std::abs(sum) / values)
+                         : "");
+}
+
 Pixels sorted_pixels(const Texture& reference, const Texture& test,
                      const std::vector<float>& noise) {
   Pixels pixels;
@@ -165,13 +215,8 @@ Pixels sorted_pixels(const Texture& reference, const Texture& test,
       }
       const int most =
           std::max({std::abs(r[0] - t[0]), std::abs(r[1] - t[1]), std::abs(r[2] - t[2])});
-      if (most > 4 + within) {
-        const Range of_test = around(test, x, y);
-        const Range of_reference = around(reference, x, y);
-        const double off =
-            std::max(largest_of(outside(at(reference, x, y), of_test.low, of_test.high)),
-                     largest_of(outside(at(test, x, y), of_reference.low, of_reference.high)));
-        if (off > 4 + within) {
+      if (most > small_difference + within) {
+        if (off_beyond_edges(reference, test, x, y) > small_difference + within) {
           pixels.different.push_back(index);
         }
         if (most > right_within + within) {

@@ -55,6 +55,8 @@ struct Range {
   bool calm() const { return largest_of(high - low) <= 12; }
 };
 Range around(const Texture& t, int x, int y);
+/// By how much the colors at a pixel differ from all that the other picture has around it.
+double off_beyond_edges(const Texture& a, const Texture& b, int x, int y);
 
 using Colors = std::vector<glm::dvec3>;  ///< by point; full brightness is 255, not clamped
 

@@ -3,10 +3,10 @@
 #include "scenefile/grade/claims.h"
 #include "scenefile/grade/evidence.h"
 #include "scenefile/grade/fitted_mistakes.h"
-#include "scenefile/grade/realtime_hypotheses.h"
 #include "scenefile/grade/realtime_settings.h"
 #include "scenefile/grade/simulation.h"
 #include "scenefile/grade/undrawn.h"
+#include "scenefile/mistakes/realtime_hypotheses.h"
 #include "scenefile/trace/tasks.h"
 
 #include <fmt/format.h>

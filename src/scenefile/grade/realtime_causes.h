@@ -11,15 +11,6 @@
 
 namespace scenefile {
 
-/// The scene of a reference, and the settings that it was drawn with.
-struct RealtimeView {
-  const RenderScene* scene = nullptr;
-  const Assets* assets = nullptr;
-  const Scene* written = nullptr;  ///< the written scene; null: transforms are not tried
-  RealtimeOptions panel;
-  const std::vector<Source>* sources = nullptr;  ///< that `scene` refers to; needed with `written`
-};
-
 /// Which settings are not given.
 struct RealtimeUnknowns {
   bool parameters = false;

@@ -3,7 +3,7 @@
 // Internal to grade.
 
 #include "scenefile/grade/realtime_causes.h"
-#include "scenefile/grade/realtime_picture.h"
+#include "scenefile/mistakes/realtime_picture.h"
 
 #include <memory>
 

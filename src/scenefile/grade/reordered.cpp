@@ -1,8 +1,8 @@
 #include "scenefile/grade/reordered.h"
 
 #include "scenefile/grade/evidence.h"
-#include "scenefile/grade/hypotheses.h"
 #include "scenefile/grade/placed_copy.h"
+#include "scenefile/mistakes/hypotheses.h"
 
 #include <array>
 #include <cmath>

@@ -271,25 +271,6 @@ bool is_sampled(const Simulation& sim, const Sampling& way, const std::vector<Po
 
 }  // namespace
 
-std::span<const std::pair<const char*, PixelFilter>> pixel_filters() {
-  static const std::array<std::pair<const char*, PixelFilter>, 6> filters{
-      {{"3 by 3 pixels", {{1, 1, 1}, 1}},
-       {"5 by 5 pixels", {{1, 1, 1, 1, 1}, 2}},
-       {"2 by 2 pixels, to the right and down", {{1, 1}, 0}},
-       {"2 by 2 pixels, to the left and up", {{1, 1}, 1}},
-       {"3 by 3 pixels, weighted", {{1, 2, 1}, 1}},
-       {"5 by 5 pixels, weighted", {{1, 4, 6, 4, 1}, 2}}}};
-  return filters;
-}
-
-std::string blurred_by(std::string_view size) {
-  return fmt::format("the picture is blurred: each pixel is the mean of {}", size);
-}
-
-std::string words_of_samples(int side) {
-  return fmt::format("pixels are means of {} by {} samples, unlike the reference's", side, side);
-}
-
 std::optional<Claim> drop_other_samples(Simulation& sim,
                                         const std::vector<std::uint32_t>& different) {
   constexpr std::size_t first_points = 60;

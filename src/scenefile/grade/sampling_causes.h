@@ -8,13 +8,6 @@
 
 namespace scenefile {
 
-/// Filters of pixels, and their sizes in words.
-std::span<const std::pair<const char*, PixelFilter>> pixel_filters();
-std::string blurred_by(std::string_view size);
-inline constexpr const char* missed_samples =
-    "pixels stay black where one of several samples misses everything";
-/// That pixels are means of samples, in words. `side`: samples across and down.
-std::string words_of_samples(int side);
 /// A note if other samples per pixel, or filtered textures, explain all of the points. Otherwise
 /// drops the points that they explain, if these are the majority.
 /// `points` only has pixels that differ, chosen from `different`.

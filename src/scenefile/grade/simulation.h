@@ -4,8 +4,8 @@
 
 #include "scenefile/grade/causes.h"
 #include "scenefile/grade/evidence.h"
-#include "scenefile/grade/hypotheses.h"
-#include "scenefile/grade/model.h"
+#include "scenefile/mistakes/hypotheses.h"
+#include "scenefile/mistakes/model.h"
 
 #include <array>
 #include <atomic>

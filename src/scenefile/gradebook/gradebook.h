@@ -3,7 +3,7 @@
 // JUnit XML and Gradescope's results.json.
 
 #include "scenefile/compare/measure.h"
-#include "scenefile/grade/causes.h"
+#include "scenefile/mistakes/cause.h"
 
 #include <span>
 #include <string>

@@ -1,9 +1,9 @@
 #include "scenefile/base/base64.h"
 #include "scenefile/base/text.h"
-#include "scenefile/grade/cause_help.h"
 #include "scenefile/gradebook/gradebook.h"
 #include "scenefile/gradebook/markup.h"
 #include "scenefile/gradebook/report_page.h"
+#include "scenefile/mistakes/cause_help.h"
 
 #include <fmt/format.h>
 

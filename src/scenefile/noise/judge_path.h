@@ -15,7 +15,7 @@
 // picture as well.
 
 #include "scenefile/asset/image_file.h"
-#include "scenefile/grade/causes.h"
+#include "scenefile/mistakes/cause.h"
 #include "scenefile/noise/path_truth.h"
 
 #include <glm/glm.hpp>

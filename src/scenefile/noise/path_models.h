@@ -2,7 +2,7 @@
 // Pictures that known mistakes and other conventions would give, fitted to the one under test.
 // Internal to noise.
 
-#include "scenefile/grade/causes.h"
+#include "scenefile/mistakes/cause.h"
 #include "scenefile/noise/block_means.h"
 
 #include <optional>

@@ -124,6 +124,9 @@ PictureComparison compare(const Texture& given, const Texture& test, const Image
     const ComparedPart part{found.whole, found.corner, 1, {}, asked};
     const bool noisy = settings.lossy || found.resampled || has_palette(shown);
     look_for_causes(reference, shown, drawable, ways, part, noisy, settings, forward, found);
+    if (!noisy && (found.causes.only_details || !found.causes.notes.empty())) {
+      found.details = words_of_details(reference, shown);
+    }
     if (found.where && !found.scene_fits()) {  // the pictures show other objects there
       found.where->hit = false;
     }

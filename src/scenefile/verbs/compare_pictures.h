@@ -71,6 +71,8 @@ struct PictureComparison {
   bool scene_used = false;    ///< whether the search for causes had a scene
   bool right_at_other_size = false;  ///< the picture under test shows the scene, at another size
   bool exchanged = false;  ///< the picture under test shows the scene, and the reference does not
+  /// How the pictures differ, if that is no mistake: words_of_details().
+  std::string details = "at edges and by rounding";
   bool other_outlines = false;   ///< nothing explains the difference, and few edges are the same
   bool equal_in_8_bits = false;  ///< only the floats differ; no causes are looked for
   std::optional<PlaceToLook> where;  ///< nullopt if no pixel differs visibly

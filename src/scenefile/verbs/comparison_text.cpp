@@ -37,9 +37,9 @@ std::string causes_text(const PictureComparison& found) {
                         : "cause: none; the picture is right, at another size\n";
   } else if (report.claims.empty() && found.measures.same_size && found.scene_fits()) {
     text += !report.notes.empty()
-                ? "cause: none; the pictures only differ in that, at edges and by rounding\n"
+                ? fmt::format("cause: none; the pictures only differ in that, {}\n", found.details)
             : report.only_details
-                ? "cause: none; the pictures only differ at edges and by rounding\n"
+                ? fmt::format("cause: none; the pictures only differ {}\n", found.details)
             : found.other_outlines
                 ? "cause: no known mistake explains the difference, and few edges match: is this a "
                   "picture of the same scene, from the same camera?\n"

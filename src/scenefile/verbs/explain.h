@@ -4,7 +4,7 @@
 #include "scenefile/base/result.h"
 #include "scenefile/explain/remarks.h"
 #include "scenefile/explain/yours.h"
-#include "scenefile/grade/realtime_pixel.h"
+#include "scenefile/mistakes/realtime_pixel.h"
 #include "scenefile/path/explain_path.h"
 #include "scenefile/verbs/compare_paths.h"
 #include "scenefile/verbs/compare_pictures.h"

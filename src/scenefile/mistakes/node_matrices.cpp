@@ -1,4 +1,4 @@
-#include "scenefile/grade/node_matrices.h"
+#include "scenefile/mistakes/node_matrices.h"
 
 #include "scenefile/scene/transforms.h"
 

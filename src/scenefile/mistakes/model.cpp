@@ -1,4 +1,4 @@
-#include "scenefile/grade/model.h"
+#include "scenefile/mistakes/model.h"
 
 #include "scenefile/base/shape_traits.h"
 

@@ -1,4 +1,4 @@
-#include "scenefile/grade/realtime_hypotheses.h"
+#include "scenefile/mistakes/realtime_hypotheses.h"
 
 #include "scenefile/base/shape_traits.h"
 

@@ -1,6 +1,6 @@
-#include "scenefile/grade/realtime_pixel.h"
+#include "scenefile/mistakes/realtime_pixel.h"
 
-#include "scenefile/grade/realtime_picture.h"
+#include "scenefile/mistakes/realtime_picture.h"
 
 #include <algorithm>
 #include <cmath>

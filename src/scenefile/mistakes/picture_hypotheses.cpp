@@ -1,5 +1,5 @@
-#include "scenefile/grade/hypotheses.h"
-#include "scenefile/grade/model.h"
+#include "scenefile/mistakes/hypotheses.h"
+#include "scenefile/mistakes/model.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "scenefile/grade/realtime_picture.h"
+#include "scenefile/mistakes/realtime_picture.h"
 
 #include "scenefile/geometry/realtime_mesh.h"
 

@@ -1,4 +1,4 @@
-#include "scenefile/grade/hypothesis_list.h"
+#include "scenefile/mistakes/hypothesis_list.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,8 @@
 // A help page for each cause: what it looks like, why it happens, and where to look in a student's
 // program. Without code, because students should find the line themselves.
 
-#include "scenefile/grade/causes.h"
+#include "scenefile/mistakes/cause.h"
+#include "scenefile/mistakes/views.h"
 
 #include <optional>
 #include <string>

@@ -1,6 +1,5 @@
-#include "scenefile/grade/edited_scene.h"
-#include "scenefile/grade/hypothesis_list.h"
-#include "scenefile/grade/node_matrices.h"
+#include "scenefile/mistakes/hypothesis_list.h"
+#include "scenefile/mistakes/node_matrices.h"
 
 #include <fmt/format.h>
 
@@ -162,6 +161,36 @@ void add_orders(HypothesisList& list) {
 }
 
 }  // namespace
+
+std::optional<RenderScene> ready_with_same_files(const RenderScene& scene, const Scene& changed) {
+  const auto number = [](const std::vector<FileReference>& files, const std::string& name) {
+    const auto found = std::find_if(files.begin(), files.end(),
+                                    [&](const FileReference& f) { return f.name == name; });
+    return found == files.end() ? no_index : static_cast<std::uint32_t>(found - files.begin());
+  };
+  RenderScene ready = prepare(changed, Limits()).scene;
+  for (RenderMaterial& m : ready.materials) {
+    for (RenderTexture* texture : {&m.texture, &m.bump_map}) {
+      if (texture->used()) {
+        texture->file = number(scene.texture_files, ready.texture_files[texture->file].name);
+        if (!texture->used()) {
+          return std::nullopt;
+        }
+      }
+    }
+  }
+  for (RenderGroup& group : ready.groups) {
+    for (RenderPrimitive& p : group.primitives) {
+      if (p.mesh != no_index) {
+        p.mesh = number(scene.mesh_files, ready.mesh_files[p.mesh].name);
+        if (p.mesh == no_index) {
+          return std::nullopt;
+        }
+      }
+    }
+  }
+  return ready;
+}
 
 void add_transforms(HypothesisList& list) {
   static constexpr std::size_t max_nodes = 3000;

@@ -1,12 +1,12 @@
 #pragma once
 // A model of a student's program for the assignment Realtime: a small software rasterizer that can
 // simulate known mistakes. It follows the rules of docs/realtime.md; lighting is shared with
-// model.h. Internal to grade.
+// model.h.
 
 #include "scenefile/base/realtime.h"
 #include "scenefile/geometry/mesh.h"
-#include "scenefile/grade/hypotheses.h"
-#include "scenefile/grade/model.h"
+#include "scenefile/mistakes/hypotheses.h"
+#include "scenefile/mistakes/model.h"
 
 #include <glm/glm.hpp>
 

@@ -1,8 +1,8 @@
 #pragma once
-// The mistakes to try in pictures of the assignment Realtime. Internal to grade.
+// The mistakes to try in pictures of the assignment Realtime.
 
-#include "scenefile/grade/realtime_causes.h"
-#include "scenefile/grade/realtime_picture.h"
+#include "scenefile/mistakes/realtime_picture.h"
+#include "scenefile/mistakes/views.h"
 
 #include <functional>
 #include <string>

@@ -1,7 +1,7 @@
-#include "scenefile/grade/hypotheses.h"
+#include "scenefile/mistakes/hypotheses.h"
 
 #include "scenefile/base/shape_traits.h"
-#include "scenefile/grade/hypothesis_list.h"
+#include "scenefile/mistakes/hypothesis_list.h"
 
 #include <tuple>
 

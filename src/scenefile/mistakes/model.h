@@ -3,7 +3,7 @@
 // in mistakes.h. Computes single pixels; whole pictures are rendered by trace/render.h.
 
 #include "scenefile/asset/load_assets.h"
-#include "scenefile/grade/mistakes.h"
+#include "scenefile/mistakes/mistakes.h"
 #include "scenefile/scene/render_scene.h"
 #include "scenefile/trace/render.h"
 

@@ -1,5 +1,5 @@
 #include "scenefile/base/shape_traits.h"
-#include "scenefile/grade/hypothesis_list.h"
+#include "scenefile/mistakes/hypothesis_list.h"
 #include "scenefile/scene/world_lights.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,5 @@
 #pragma once
-// The matrices of a written scene's nodes, as a program with mistakes computes them. Internal to
-// grade.
+// The matrices of a written scene's nodes, as a program with mistakes computes them.
 
 #include "scenefile/scene/scene.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 // The list of mistakes that the functions add_*() fill, each with the mistakes of one subject.
-// Internal to grade. Of two mistakes that look alike, the one added first is named.
+// Of two mistakes that look alike, the one added first is named.
 
-#include "scenefile/grade/hypotheses.h"
+#include "scenefile/mistakes/hypotheses.h"
 
 #include <functional>
 #include <initializer_list>

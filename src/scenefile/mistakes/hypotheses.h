@@ -1,8 +1,9 @@
 #pragma once
 // The mistakes to try.
 
-#include "scenefile/grade/causes.h"
-#include "scenefile/grade/mistakes.h"
+#include "scenefile/mistakes/cause.h"
+#include "scenefile/mistakes/mistakes.h"
+#include "scenefile/mistakes/views.h"
 
 #include <functional>
 #include <string>
@@ -66,11 +67,22 @@ bool shows_at_edges(const Hypothesis& h);
 /// materials.
 bool replaces_objects(const Hypothesis& h);
 
+/// Filters of pixels, and their sizes in words.
+std::span<const std::pair<const char*, PixelFilter>> pixel_filters();
+std::string blurred_by(std::string_view size);
+inline constexpr const char* missed_samples =
+    "pixels stay black where one of several samples misses everything";
+/// That pixels are means of samples, in words. `side`: samples across and down.
+std::string words_of_samples(int side);
+
 /// Mistakes that change the finished picture.
 std::vector<Hypothesis> picture_hypotheses();
 
 /// Mistakes that change what is drawn, without those that cannot affect this scene. Of two that
 /// look alike, the more common one comes first.
 std::vector<Hypothesis> drawing_hypotheses(const SceneView& view, int width, int height);
+
+/// The changed scene, ready to be drawn with the assets of the view; nullopt if it needs others.
+std::optional<RenderScene> ready_with_same_files(const RenderScene& scene, const Scene& changed);
 
 }  // namespace scenefile

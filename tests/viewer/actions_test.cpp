@@ -38,7 +38,7 @@ TEST(Actions, FlyingKeysHaveNoOtherAction) {
 }
 
 TEST(Actions, ShiftShowsTheOppositeSideAndNothingElse) {
-  EXPECT_EQ(action_of(parse_key("Ctrl+Shift+1"))->action, Action::side_front);
+  EXPECT_EQ(action_of(parse_key("Ctrl+Shift+1"))->action, Action::side_back);
   EXPECT_EQ(action_of(parse_key("?"))->action, Action::help);
   EXPECT_EQ(action_of(parse_key("Shift+R")), nullptr);
   EXPECT_EQ(action_of(parse_key("Ctrl+R")), nullptr);

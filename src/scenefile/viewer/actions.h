@@ -1,5 +1,5 @@
 #pragma once
-// The keyboard shortcuts of the window: one table, used for the menus, the help and the dispatch.
+// What the window can do: one table, from which menus, help, search and shortcuts follow.
 
 #include <cstdint>
 #include <span>
@@ -8,12 +8,17 @@
 
 namespace scenefile::viewer {
 
+struct Session;
+
 enum class Action : std::uint8_t {
   scene_camera,
   frame,
   side_front,
+  side_back,
   side_right,
+  side_left,
   side_top,
+  side_bottom,
   use_view,
   collect_view,
   drop_view,
@@ -93,9 +98,13 @@ struct ActionRow {
   std::string_view key;    ///< as key_text() writes it
   std::string_view group;  ///< a heading in the help, and a menu
   std::string_view what;   ///< a few words
+  void (*act)(Session&);
+  /// Why it has no effect now; empty: it has one.
+  std::string_view (*refusal)(const Session&);
+  bool (*is_on)(const Session&);  ///< whether the menu marks it
 };
 
-/// In the order of the help; each key once, sorted by group.
+/// In the order of the help; each key once, sorted by group. session_actions.cpp has them.
 std::span<const ActionRow> actions();
 const ActionRow& row_of(Action action);
 

@@ -20,6 +20,9 @@ void load_edited_text(Session& session);  // session_files.cpp
 
 namespace {
 
+// In bytes. The document of a shorter text is read in less than about 25 ms.
+constexpr std::size_t long_text = std::size_t{1} << 20;
+
 constexpr std::string_view first_scene = R"(<scenefile>
   <globaldata>
     <ambientcoeff v="0.5"/>
@@ -92,17 +95,17 @@ EditStep made(Session& session, const Edit& edit) {
   return step;
 }
 
-// Undoes or redoes the last of these steps. Returns false if there is none.
-bool move_last_step(Session& session, std::vector<EditStep>& from, std::vector<EditStep>& to,
+// Undoes or redoes the last of these steps, if there is one.
+void move_last_step(Session& session, std::vector<EditStep>& from, std::vector<EditStep>& to,
                     Edit EditStep::*edit, std::optional<EditedPart> EditStep::*part) {
+  finish_edit(session);
   if (from.empty()) {
-    return false;
+    return;
   }
   to.push_back(std::move(from.back()));
   from.pop_back();
   made(session, to.back().*edit);
   session.editing.part = to.back().*part;
-  return true;
 }
 
 bool has_own_item(ItemKind kind) {
@@ -153,6 +156,12 @@ Edit change_to(const std::string& before, const std::string& after) {
             static_cast<std::uint32_t>(last.first.base() - first.first),
             std::string(first.second, last.second.base())}},
           {}};
+}
+
+void keep_document(Editing& editing, Result<Document> document) {
+  editing.opened = editing.version;
+  editing.refusal = document ? "" : document.error().text;
+  editing.document = document ? std::optional(*std::move(document)) : std::nullopt;
 }
 
 // By the text of another program.
@@ -269,12 +278,33 @@ bool shows_edited_text(const Session& session) {
 const Document* edited_document(Session& session) {
   Editing& editing = session.editing;
   if (editing.opened != editing.version) {
-    editing.opened = editing.version;
-    Result<Document> document = Document::open(editing.text, session.setup.read);
-    editing.refusal = document ? "" : document.error().text;
-    editing.document = document ? std::optional(*std::move(document)) : std::nullopt;
+    // Dragging a field or handle needs each new document.
+    if (editing.text.size() < long_text || editing.progress) {
+      keep_document(editing, Document::open(editing.text, session.setup.read));
+    } else {
+      editing.refusal = "its text is still being read";
+      if (!session.reading_document.busy()) {
+        session.reading_document.start(
+            [text = editing.text, options = session.setup.read, version = editing.version,
+             before = std::exchange(editing.document, std::nullopt)]() mutable {
+              before.reset();  // takes long, too
+              return ReadDocument{version, Document::open(text, options)};
+            },
+            session.setup.wake);
+      }
+      return nullptr;
+    }
   }
   return editing.document ? &*editing.document : nullptr;
+}
+
+bool tick_document(Session& session) {
+  std::optional<ReadDocument> read = session.reading_document.take();
+  if (!read || read->version != session.editing.version) {
+    return false;
+  }
+  keep_document(session.editing, std::move(read->document));
+  return true;
 }
 
 std::optional<ItemId> selected_item(Session& session) {
@@ -437,16 +467,14 @@ void correct_text(Session& session) {
       fmt::format("corrected {} mistake{}; Ctrl+Z takes it back", made, made == 1 ? "" : "s"));
 }
 
-bool undo_edit(Session& session) {
-  finish_edit(session);
-  return move_last_step(session, session.editing.done, session.editing.undone, &EditStep::back,
-                        &EditStep::part_before);
+void undo_edit(Session& session) {
+  move_last_step(session, session.editing.done, session.editing.undone, &EditStep::back,
+                 &EditStep::part_before);
 }
 
-bool redo_edit(Session& session) {
-  finish_edit(session);
-  return move_last_step(session, session.editing.undone, session.editing.done, &EditStep::made,
-                        &EditStep::part_after);
+void redo_edit(Session& session) {
+  move_last_step(session, session.editing.undone, session.editing.done, &EditStep::made,
+                 &EditStep::part_after);
 }
 
 void new_scene(Session& session, const std::string& path, bool ask) {

@@ -68,6 +68,12 @@ struct Editing {
   std::vector<FieldView> light_fields;
 };
 
+/// A document that was read on another thread.
+struct ReadDocument {
+  std::uint64_t version = 0;  ///< Editing::version of its text
+  Result<Document> document;
+};
+
 /// Something to decide before anything else is done. The last answer changes nothing: Escape.
 struct Question {
   struct Answer {
@@ -93,8 +99,10 @@ bool has_unsaved_edits(const Session& session);
 bool shows_edited_text(const Session& session);
 
 /// The current text as a document; null if it cannot be edited, for the reason in
-/// Editing::refusal.
+/// Editing::refusal: also while a long text is being read on another thread.
 const Document* edited_document(Session& session);
+/// Takes a document that was read. Returns whether it is that of the current text.
+bool tick_document(Session& session);
 /// The selected item of edited_document(); nullopt: none.
 std::optional<ItemId> selected_item(Session& session);
 /// The row of the outline for the selected item; nullopt: none.
@@ -125,8 +133,8 @@ void cancel_edit(Session& session);
 /// Corrects what is certain, also in a text with errors: fix_text() as one edit.
 void correct_text(Session& session);
 
-bool undo_edit(Session& session);  ///< false: there is nothing to undo
-bool redo_edit(Session& session);
+void undo_edit(Session& session);
+void redo_edit(Session& session);
 
 // Files.
 

@@ -38,6 +38,10 @@ void set_gui_style(double scale);
 /// found; empty otherwise. May run on another thread while there is no context of ImGui.
 std::string build_fonts(ImFontAtlas& atlas, double scale);
 
+/// Text in a color of gui_colors.h, and in the dim one.
+void colored_text(unsigned rgb, const std::string& text);
+void dim_text(const std::string& text);
+
 /// The text, truncated with an ellipsis to a width in pixels. Only while a frame is built.
 std::string fitting(const std::string& text, float room);
 

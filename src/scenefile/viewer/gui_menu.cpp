@@ -13,90 +13,6 @@ namespace scenefile::viewer {
 
 namespace {
 
-bool is_on(const Session& session, Action action) {
-  switch (action) {
-    case Action::shaded:
-    case Action::wireframe:
-    case Action::normals:
-    case Action::uv:
-    case Action::depth:
-    case Action::object_id:
-    case Action::bounding_boxes:
-      return static_cast<int>(session.mode) ==
-             static_cast<int>(action) - static_cast<int>(Action::shaded);
-    case Action::toggle_textures:
-      return session.settings.textures;
-    case Action::toggle_shadows:
-      return session.settings.shadows;
-    case Action::next_light:
-      return session.only_light.has_value();
-    case Action::trace:
-      return session.settings.ray_tracing;
-    case Action::side_by_side:
-    case Action::split:
-    case Action::flicker:
-    case Action::other:
-    case Action::difference:
-    case Action::flip:
-      return session.compare == compare_view_of(action);
-    case Action::magnifier:
-      return session.magnifier;
-    case Action::linear_values:
-      return session.settings.linear_values;
-    case Action::explain:
-      return session.explaining;
-    case Action::outline:
-      return session.settings.outline;
-    case Action::messages:
-      return session.settings.messages;
-    case Action::statistics:
-      return session.settings.statistics;
-    case Action::axes:
-      return session.settings.axes;
-    case Action::realtime:
-      return session.realtime;
-    case Action::handles:
-      return session.handles != Handles::none;
-    case Action::full_screen:
-      return session.full_screen;
-    default:
-      return false;
-  }
-}
-
-bool is_possible(const Session& session, Action action) {
-  switch (action) {
-    case Action::side_by_side:
-    case Action::split:
-    case Action::flicker:
-    case Action::other:
-    case Action::difference:
-    case Action::flip:
-    case Action::exchange_roles:
-      return sides_of(session) != Sides();
-    case Action::next_sides:
-      return possible_sides(session).size() > 1;
-    case Action::hide_selected:
-    case Action::duplicate:
-    case Action::remove:
-    case Action::earlier:
-    case Action::later:
-    case Action::enter_group:
-    case Action::leave_group:
-    case Action::wrap:
-    case Action::edit_fields:
-      return session.selected.has_value();
-    case Action::undo:
-      return !session.editing.done.empty() || session.editing.progress;
-    case Action::redo:
-      return !session.editing.undone.empty();
-    case Action::show_all:
-      return !session.hidden.empty();
-    default:
-      return session.shown != nullptr || action >= Action::reload;
-  }
-}
-
 std::string capitalized(std::string_view text) {
   std::string result(text);
   if (!result.empty() && result.front() >= 'a' && result.front() <= 'z') {
@@ -109,14 +25,10 @@ void build_group(Session& session, std::string_view group) {
   for (const ActionRow& row : actions()) {
     if (row.group == group &&
         ImGui::MenuItem(capitalized(row.what).c_str(), std::string(row.key).c_str(),
-                        is_on(session, row.action), is_possible(session, row.action))) {
+                        row.is_on(session), row.refusal(session).empty())) {
       perform(session, row.action);
     }
   }
-}
-
-void dim_text(const std::string& text) {
-  ImGui::TextDisabled("%s", text.c_str());
 }
 
 // At the right end of the menu bar.

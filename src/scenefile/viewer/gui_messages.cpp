@@ -16,22 +16,16 @@ namespace scenefile::viewer {
 
 namespace {
 
-ImU32 color_of(Severity severity) {
+unsigned color_of(Severity severity) {
   switch (severity) {
     case Severity::error:
-      return rgba(color_error);
+      return color_error;
     case Severity::warning:
-      return rgba(color_warning);
+      return color_warning;
     case Severity::note:
-      return rgba(color_dim);
+      return color_dim;
   }
-  return rgba(color_text);
-}
-
-void colored(ImU32 color, const std::string& text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, color);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopStyleColor();
+  return color_text;
 }
 
 // The line of the file. Tabs count as one column, so they are drawn as one space.
@@ -60,8 +54,8 @@ void build_excerpt(const std::string& text, const Location& location) {
   }
   ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[1]);
   ImGui::Indent(ImGui::GetFontSize());
-  colored(rgba(color_dim), escaped(line.substr(blanks), most));
-  colored(rgba(color_accent), std::string(location.column - 1 - blanks, ' ') + "^");
+  colored_text(color_dim, escaped(line.substr(blanks), most));
+  colored_text(color_accent, std::string(location.column - 1 - blanks, ' ') + "^");
   ImGui::Unindent(ImGui::GetFontSize());
   ImGui::PopFont();
 }
@@ -72,7 +66,7 @@ void build_finding(const OpenedScene& scene, const Diagnostic& finding, bool exc
   if (finding.location.known()) {
     place += fmt::format(":{}:{}", finding.location.line, finding.location.column);
   }
-  colored(color_of(finding.severity), place);
+  colored_text(color_of(finding.severity), place);
   ImGui::SameLine();
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(escaped(finding.message, 600).c_str());
@@ -97,7 +91,7 @@ void build_heading(const Session& session) {
   if (session.broken == nullptr && found.empty()) {
     return;
   }
-  colored(rgba(session.broken == nullptr ? color_dim : color_error), escaped(verdict, 400));
+  colored_text(session.broken == nullptr ? color_dim : color_error, escaped(verdict, 400));
   std::string aside;
   if (session.broken != nullptr && session.shown != nullptr) {
     aside = session.shown->opened.path == session.path
@@ -110,7 +104,7 @@ void build_heading(const Session& session) {
   }
   if (!aside.empty()) {
     ImGui::SameLine();
-    ImGui::TextDisabled("%s", aside.c_str());
+    dim_text(aside);
   }
 }
 

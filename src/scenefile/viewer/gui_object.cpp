@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -20,6 +21,11 @@ namespace scenefile::viewer {
 namespace {
 
 using Typed = std::vector<std::optional<std::string>>;
+
+// Between widgets side by side.
+float gap() {
+  return 0.5F * ImGui::GetStyle().ItemSpacing.x;
+}
 
 std::string typed_number(double value) {
   return fmt::format("{:.6g}", value);
@@ -79,11 +85,11 @@ class FieldRow {
   void build() {
     ImGui::PushID(static_cast<int>(index_));
     ImGui::AlignTextToFramePadding();
-    const std::string title = fitting(std::string(field_.title), label_ - 8);
+    const std::string title = fitting(std::string(field_.title), label_ - gap());
     if (field_.effective) {
       ImGui::TextUnformatted(title.c_str());
     } else {
-      ImGui::TextDisabled("%s", title.c_str());
+      dim_text(title);
     }
     if (ImGui::IsItemHovered()) {
       ImGui::SetTooltip("%s (%s)%s", std::string(field_.title).c_str(),
@@ -92,11 +98,11 @@ class FieldRow {
     }
     ImGui::SameLine(label_);
     const bool removable = field_.written && !field_.needed;
-    const float cross = removable ? ImGui::GetFrameHeight() : 0;
-    width_ = ImGui::GetContentRegionAvail().x - cross - (cross > 0 ? 4 : 0);
+    const float cross = removable ? ImGui::GetFrameHeight() + gap() : 0;
+    width_ = ImGui::GetContentRegionAvail().x - cross;
     build_value();
     if (removable) {
-      ImGui::SameLine(0, 4);
+      ImGui::SameLine(0, gap());
       build_remove();
     }
     ImGui::PopID();
@@ -174,7 +180,7 @@ class FieldRow {
   // Parts [first, first + count), side by side.
   void build_numbers(std::size_t first, std::size_t count) {
     const auto parts = static_cast<float>(count);
-    const float each = std::floor((width_ - 3 * (parts - 1)) / parts);
+    const float each = std::floor((width_ - gap() * (parts - 1)) / parts);
     const float left = ImGui::GetCursorPosX();
     for (std::size_t i = first; i < std::min(first + count, field_.parts.size()); ++i) {
       const FieldPart& part = field_.parts[i];
@@ -192,7 +198,7 @@ class FieldRow {
       }
       ImGui::PopID();
       if (i + 1 < first + count) {
-        ImGui::SameLine(0, 3);
+        ImGui::SameLine(0, gap());
       }
     }
     if (first + count < field_.parts.size()) {
@@ -253,8 +259,8 @@ class FieldRow {
 
   void build_file(float width) {
     const float button = ImGui::GetFrameHeight();
-    build_text(0, width - button - 3);
-    ImGui::SameLine(0, 3);
+    build_text(0, width - button - gap());
+    ImGui::SameLine(0, gap());
     if (ImGui::Button("...", {button, 0})) {
       ImGui::OpenPopup("files");
     }
@@ -286,8 +292,8 @@ class FieldRow {
     const ImVec2 c{at.x + size / 2, at.y + size / 2};
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImU32 color = rgba(over || ImGui::IsItemFocused() ? color_text : color_dim);
-    draw.AddLine({c.x - r, c.y - r}, {c.x + r, c.y + r}, color, 1.5F);
-    draw.AddLine({c.x - r, c.y + r}, {c.x + r, c.y - r}, color, 1.5F);
+    draw.AddLine({c.x - r, c.y - r}, {c.x + r, c.y + r}, color, 0.36F * r);
+    draw.AddLine({c.x - r, c.y + r}, {c.x + r, c.y - r}, color, 0.36F * r);
   }
 
   Session& session_;
@@ -305,7 +311,7 @@ float label_width(const std::vector<FieldView>& fields) {
       width = std::max(width, ImGui::CalcTextSize(std::string(field.title).c_str()).x);
     }
   }
-  return std::floor(std::min(width + 10, 0.42F * ImGui::GetContentRegionAvail().x));
+  return std::floor(std::min(width + 3 * gap(), 0.42F * ImGui::GetContentRegionAvail().x));
 }
 
 std::string title_of(const NewItem& what) {
@@ -397,8 +403,10 @@ void build_add_list(Session& session, const Document& document, std::optional<It
                     const std::vector<FieldView>& fields) {
   const ImVec2 from = ImGui::GetItemRectMin();
   const ImVec2 to = ImGui::GetItemRectMax();
-  const bool above = from.y > 0.6F * ImGui::GetMainViewport()->Size.y;
+  const float height = ImGui::GetMainViewport()->Size.y;
+  const bool above = from.y > 0.6F * height;
   ImGui::SetNextWindowPos({from.x, above ? from.y : to.y}, 0, {0, above ? 1.0F : 0.0F});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {FLT_MAX, above ? from.y : height - to.y});
   if (!ImGui::BeginPopup("add")) {
     return;
   }
@@ -411,7 +419,7 @@ void build_add_list(Session& session, const Document& document, std::optional<It
 }
 
 void build_button(Session& session, const char* label, Action action) {
-  ImGui::SameLine(0, 4);
+  ImGui::SameLine(0, gap());
   if (ImGui::Button(label)) {
     perform(session, action);
   }
@@ -440,10 +448,10 @@ void build_light_switch(Session& session, std::uint32_t source) {
 void build_handle_choice(Session& session) {
   static constexpr std::array<const char*, 4> names{"Move", "Turn", "Scale", "None"};
   ImGui::AlignTextToFramePadding();
-  ImGui::TextDisabled("%s", "Handles");
+  dim_text("Handles");
   for (std::size_t i = 0; i < names.size(); ++i) {
     const bool now = session.handles == static_cast<Handles>(i);
-    ImGui::SameLine(0, i == 0 ? 10 : 4);
+    ImGui::SameLine(0, gap() * (i == 0 ? 3.0F : 1.0F));
     ImGui::PushStyleColor(ImGuiCol_Button, rgba(now ? color_accent : color_field, now ? 120 : 255));
     if (ImGui::Button(names[i])) {
       session.handles = static_cast<Handles>(i);
@@ -452,7 +460,7 @@ void build_handle_choice(Session& session) {
   }
   if (session.handles != Handles::none && shows_edited_text(session) && !handles_of(session)) {
     ImGui::SameLine();
-    ImGui::TextDisabled("%s", "none here");
+    dim_text("none here");
   }
 }
 
@@ -466,7 +474,7 @@ void build_name(const Session& session, const OutlineRow& row) {
   }
   // Always one line, so that the fields below stay where they are.
   const std::string path = escaped(session.selected_path, 300);
-  ImGui::TextDisabled("%s", fitting(path, ImGui::GetContentRegionAvail().x).c_str());
+  dim_text(fitting(path, ImGui::GetContentRegionAvail().x));
   if (!path.empty() && ImGui::IsItemHovered()) {
     ImGui::SetTooltip("%s", path.c_str());
   }
@@ -537,7 +545,7 @@ void build_no_object(Session& session) {
     }
   }
   ImGui::SameLine();
-  ImGui::TextDisabled("%s", "click something to edit it");
+  dim_text("click something to edit it");
 }
 
 void build_question(Session& session, const GuiFrame& frame) {

@@ -128,10 +128,11 @@ class RowPainter {
   void paint_icon(const ImVec2& c) const {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const float r = height_ * 0.32F;
+    const float thin = 0.2F * r;
     const ImU32 line = rgba(color_dim);
     switch (row_.kind) {
       case RowKind::primitive:
-        paint_shape(c, r + 1, line);  // a rim, for colors as dark as the panel
+        paint_shape(c, r + thin, line);  // a rim, for colors as dark as the panel
         paint_shape(c, r, material_color());
         break;
       case RowKind::light:
@@ -140,7 +141,7 @@ class RowPainter {
           const float a = static_cast<float>(i) * 0.785398F;
           const ImVec2 d{std::cos(a), std::sin(a)};
           draw.AddLine({c.x + d.x * r * 0.85F, c.y + d.y * r * 0.85F},
-                       {c.x + d.x * r * 1.3F, c.y + d.y * r * 1.3F}, rgba(color_light), 1);
+                       {c.x + d.x * r * 1.3F, c.y + d.y * r * 1.3F}, rgba(color_light), thin);
         }
         break;
       case RowKind::camera:
@@ -150,16 +151,16 @@ class RowPainter {
         break;
       case RowKind::globals:
         for (const float y : {-0.7F, 0.0F, 0.7F}) {
-          draw.AddLine({c.x - r, c.y + r * y}, {c.x + r, c.y + r * y}, line, 1.5F);
+          draw.AddLine({c.x - r, c.y + r * y}, {c.x + r, c.y + r * y}, line, 1.5F * thin);
         }
         break;
       case RowKind::copy:
-        draw.AddRect({c.x - r, c.y - r}, {c.x + r * 0.4F, c.y + r * 0.4F}, line, 1);
+        draw.AddRect({c.x - r, c.y - r}, {c.x + r * 0.4F, c.y + r * 0.4F}, line, thin, 0, thin);
         draw.AddRectFilled({c.x - r * 0.4F, c.y - r * 0.4F}, {c.x + r, c.y + r}, line, 1);
         break;
       case RowKind::group:
       case RowKind::templates:
-        draw.AddRect({c.x - r, c.y - r * 0.8F}, {c.x + r, c.y + r * 0.8F}, line, 2);
+        draw.AddRect({c.x - r, c.y - r * 0.8F}, {c.x + r, c.y + r * 0.8F}, line, 2 * thin, 0, thin);
         break;
     }
   }
@@ -243,7 +244,7 @@ void scroll_to_selected(Session& session, const std::vector<std::uint32_t>& rows
 }
 
 void build_rows(Session& session) {
-  const std::vector<std::uint32_t> rows = visible_rows(session.shown->outline, session.open_rows);
+  const std::vector<std::uint32_t>& rows = visible_rows(session);
   const float row_height = ImGui::GetTextLineHeight() + 2 + ImGui::GetStyle().ItemSpacing.y;
   scroll_to_selected(session, rows, row_height);
   ImGuiListClipper clipper;

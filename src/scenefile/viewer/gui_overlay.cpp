@@ -352,7 +352,7 @@ void build_statistics(const Session& session, const GuiFrame& frame) {
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
   const auto line = [](const char* name, const std::string& value) {
-    ImGui::TextDisabled("%s", name);
+    dim_text(name);
     ImGui::SameLine(ImGui::GetFontSize() * 7.5F);
     ImGui::TextUnformatted(value.c_str());
   };

@@ -87,7 +87,7 @@ void build_palette(Session& session, const GuiFrame& frame) {
     const std::string key(rows[i]->key);
     ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::CalcTextSize(key.c_str()).x -
                     2 * ImGui::GetFontSize());
-    ImGui::TextDisabled("%s", key.c_str());
+    dim_text(key);
     ImGui::PopID();
   }
   ImGui::EndChild();

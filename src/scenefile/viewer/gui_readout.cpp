@@ -60,7 +60,7 @@ void build_lines(Session& session, const std::string& text) {
 }
 
 void build_swatch(const char* name, const PixelValue& value) {
-  ImGui::TextDisabled("%s", name);
+  dim_text(name);
   ImGui::SameLine(9 * ImGui::GetFontSize());
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float size = ImGui::GetTextLineHeight();

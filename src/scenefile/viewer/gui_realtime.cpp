@@ -76,7 +76,7 @@ void build_realtime_panel(Session& session, const GuiFrame& frame) {
   if (ImGui::IsItemHovered()) {
     ImGui::SetTooltip("W A S D, space and control move, dragging looks around");
   }
-  ImGui::TextDisabled("%s", fmt::format("{} triangles", frame.drawn.triangles).c_str());
+  dim_text(fmt::format("{} triangles", frame.drawn.triangles));
   ImGui::End();
 }
 

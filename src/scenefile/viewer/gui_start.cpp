@@ -20,18 +20,12 @@ constexpr ImGuiWindowFlags panel_flags = ImGuiWindowFlags_NoDecoration | ImGuiWi
                                          ImGuiWindowFlags_NoSavedSettings |
                                          ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-void heading(const char* text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, rgba(color_accent));
-  ImGui::TextUnformatted(text);
-  ImGui::PopStyleColor();
-}
-
 // Returns the chosen path; empty: none.
 std::string build_recent(const Session& session) {
   std::string chosen;
-  heading("Recent files");
+  colored_text(color_accent, "Recent files");
   if (session.start.recent.empty()) {
-    ImGui::TextDisabled("%s", "none yet");
+    dim_text("none yet");
   }
   for (const std::string& path : session.start.recent) {
     ImGui::PushID(path.c_str());
@@ -42,7 +36,7 @@ std::string build_recent(const Session& session) {
     if (ImGui::IsItemHovered()) {
       ImGui::SetTooltip("%s", escaped(path, 400).c_str());
     }
-    ImGui::TextDisabled("%s", fitting("  " + escaped(folder_of(path), 400), room).c_str());
+    dim_text(fitting("  " + escaped(folder_of(path), 400), room));
     ImGui::PopID();
   }
   return chosen;
@@ -82,7 +76,7 @@ std::string build_choices(const StartPanel& panel) {
 }
 
 std::string build_folder(StartPanel& panel) {
-  heading("Folder");
+  colored_text(color_accent, "Folder");
   ImGui::SameLine();
   ImGui::TextUnformatted(
       fitting(escaped(panel.folder, 400), ImGui::GetContentRegionAvail().x).c_str());
@@ -95,9 +89,9 @@ std::string build_folder(StartPanel& panel) {
     chosen = path;
   }
   if (panel.choices.empty()) {
-    ImGui::TextDisabled("%s", "there are no scenes here");
+    dim_text("there are no scenes here");
   } else if (panel.cut_off) {
-    ImGui::TextDisabled("%s", fmt::format("only the first {} are listed", max_choices).c_str());
+    dim_text(fmt::format("only the first {} are listed", max_choices));
   }
   ImGui::EndChild();
   return chosen;
@@ -106,7 +100,7 @@ std::string build_folder(StartPanel& panel) {
 // What is wrong with the last choice, shown next to it.
 void build_news(const Session& session) {
   if (session.loading.busy()) {
-    ImGui::TextDisabled("%s", ("reading " + escaped(scene_name(session), 200)).c_str());
+    dim_text(("reading " + escaped(scene_name(session), 200)));
   } else if (session.broken != nullptr) {
     ImGui::PushStyleColor(ImGuiCol_Text, rgba(color_error));
     const OpenedScene& opened = session.broken->opened;

@@ -73,6 +73,8 @@ void set_colors(ImGuiStyle& style) {
   c[ImGuiCol_ButtonHovered] = color(0x3d424b);
   c[ImGuiCol_ButtonActive] = color(color_accent, 120);
   c[ImGuiCol_CheckMark] = color(color_accent);
+  c[ImGuiCol_SliderGrab] = color(color_accent, 160);
+  c[ImGuiCol_SliderGrabActive] = color(color_accent);
   c[ImGuiCol_ScrollbarBg] = color(color_panel, 0);
   c[ImGuiCol_ScrollbarGrab] = color(0x464b54);
   c[ImGuiCol_TitleBg] = color(color_panel);
@@ -125,6 +127,16 @@ std::string build_fonts(ImFontAtlas& atlas, double scale) {
   int height = 0;
   atlas.GetTexDataAsRGBA32(&pixels, &width, &height);  // what OpenGL will ask for
   return note;
+}
+
+void colored_text(unsigned rgb, const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, rgba(rgb));
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+}
+
+void dim_text(const std::string& text) {
+  colored_text(color_dim, text);
 }
 
 std::string fitting(const std::string& text, float room) {

@@ -221,9 +221,10 @@ bool settled(const Session& session) {
   const bool comparing = session.compare != CompareView::off && session.shown != nullptr &&
                          is_comparable(session) &&
                          (!session.compare_started || session.comparing.busy());
-  return !session.loading.busy() && !session.load_again && session.pictures.empty() &&
-         !session.fitting.busy() && !(session.fit_wanted && session.shown != nullptr) && !tracing &&
-         !comparing && !session.readout.explaining.busy() && !session.cause.finding.busy() &&
+  return !session.loading.busy() && !session.load_again && !session.reading_document.busy() &&
+         session.pictures.empty() && !session.fitting.busy() &&
+         !(session.fit_wanted && session.shown != nullptr) && !tracing && !comparing &&
+         !session.readout.explaining.busy() && !session.cause.finding.busy() &&
          (!session.readout.at || session.readout.asked) && session.held.empty();
 }
 
@@ -247,7 +248,8 @@ double next_tick(const Session& session) {
     seconds = std::min(seconds, flicker_seconds - std::fmod(session.now, flicker_seconds));
   }
   if (session.comparing.busy() || session.loading.busy() || session.reading.busy() ||
-      session.fitting.busy() || session.readout.explaining.busy() || session.cause.finding.busy()) {
+      session.reading_document.busy() || session.fitting.busy() ||
+      session.readout.explaining.busy() || session.cause.finding.busy()) {
     seconds = std::min(seconds, 0.05);
   }
   return std::max(seconds, 0.01);
@@ -327,6 +329,15 @@ void reveal_selection(Session& session) {
     session.open_rows.insert(around);
   }
   session.reveal_selected = true;
+}
+
+const std::vector<std::uint32_t>& visible_rows(Session& session) {
+  VisibleRows& visible = session.visible_rows;
+  if (visible.version != session.version || visible.open != session.open_rows) {
+    visible = {session.version, session.open_rows,
+               visible_rows(session.shown->outline, session.open_rows)};
+  }
+  return visible.rows;
 }
 
 Bounds selected_bounds(const Session& session) {

@@ -68,6 +68,13 @@ struct SceneOnShow {
   std::unique_ptr<const Picker> picker;
 };
 
+/// The visible rows of an outline, and of what they were computed.
+struct VisibleRows {
+  std::uint64_t version = 0;  ///< Session::version
+  std::set<std::uint32_t> open;
+  std::vector<std::uint32_t> rows;
+};
+
 /// A picture file to read.
 struct PictureRequest {
   std::string path;
@@ -152,6 +159,7 @@ struct Session {
   Bounds selected_box;                       ///< selected_bounds()
   std::set<std::uint32_t> open_rows;         ///< rows of the outline that show their contents
   bool reveal_selected = false;              ///< scroll the outline to the selection
+  VisibleRows visible_rows;                  ///< visible_rows() caches it
 
   // The assignment Realtime.
   bool realtime = false;           ///< show its picture and panel
@@ -190,6 +198,7 @@ struct Session {
 
   // Editing.
   Editing editing;
+  Background<ReadDocument> reading_document;  ///< of a long text
   std::optional<Question> question;
   std::function<void(Session&)> after_saving;  ///< what before_losing_edits() has asked for
   Handles handles = Handles::move;
@@ -241,7 +250,8 @@ bool settled(const Session& session);
 /// When to call tick() again, in seconds from now; large if only wake() matters.
 double next_tick(const Session& session);
 
-void perform(Session& session, Action action, const KeyPress& key = {});
+/// Does what row_of(action) says, or shows a notice why that has no effect now.
+void perform(Session& session, Action action);
 
 /// Handles a key press. Returns false if the key has no effect.
 bool key_pressed(Session& session, const KeyPress& key);
@@ -265,6 +275,9 @@ void select(Session& session, std::optional<std::uint32_t> row,
             std::vector<std::uint32_t> copy = {});
 /// Opens the rows around the selected one, and scrolls to it.
 void reveal_selection(Session& session);
+/// The visible rows of the outline; computed when the scene or the open rows have changed, because
+/// large scenes have many.
+const std::vector<std::uint32_t>& visible_rows(Session& session);
 /// Sets its path and box.
 void describe_selection(Session& session);
 /// The bounding box of the selection: of the clicked instance, or of all instances; empty if
@@ -299,8 +312,6 @@ void compare_ours(Session& session, Texture ours);
 std::vector<Sides> possible_sides(const Session& session);
 /// The ones that are compared; equal: there are none.
 Sides sides_of(const Session& session);
-/// The view that an action switches on and off; off: none.
-CompareView compare_view_of(Action action);
 /// Whether they can be compared now: the camera is the scene's own.
 bool is_comparable(const Session& session);
 /// The file's picture of this role; null: there is none, or it is ours.

@@ -1,4 +1,4 @@
-// Performs the actions of keys and menus.
+// The table of what the window can do, and the functions that do it.
 
 #include "scenefile/base/text.h"
 #include "scenefile/io/folder.h"
@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <type_traits>
 
 namespace scenefile::viewer {
 
@@ -26,10 +28,8 @@ void edit_selection(Session& session,
                     const std::function<Result<Edit>(const Document&, ItemId)>& edit) {
   if (const std::optional<ItemId> item = selected_item(session)) {
     make_edit(session, edit(*session.editing.document, *item));
-  } else if (const std::string& refusal = session.editing.refusal; !refusal.empty()) {
-    say(session, "this scene cannot be edited: " + refusal, true);
   } else {
-    say(session, "nothing is selected");
+    say(session, "this scene cannot be edited: " + session.editing.refusal, true);
   }
 }
 
@@ -52,79 +52,57 @@ void use_view(Session& session) {
   }
 }
 
-void edit_scene(Session& session, Action action) {
-  switch (action) {
-    case Action::use_view:
-      use_view(session);
-      break;
-    case Action::undo:
-      if (!undo_edit(session)) {
-        say(session, "there is nothing to undo");
-      }
-      break;
-    case Action::redo:
-      if (!redo_edit(session)) {
-        say(session, "there is nothing to redo");
-      }
-      break;
-    case Action::add:
-      session.adding = true;
-      session.settings.outline = true;
-      session.picture_only = false;
-      session.keyboard_in_fields = true;
-      break;
-    case Action::duplicate: {
-      const bool block = selected_item(session) && session.editing.part->block;
-      edit_selection(session, [&](const Document& document, ItemId item) {
-        return duplicate_item(document, item, viewpoint_of(session));
-      });
-      if (block) {
-        session.editing.part->block = true;
-      }
-      break;
-    }
-    case Action::remove:
-      edit_selection(session, remove_item);
-      break;
-    case Action::wrap:
-      edit_selection(session, wrap_in_group);
-      break;
-    case Action::earlier:
-    case Action::later:
-      edit_selection(session, [&](const Document& document, ItemId item) {
-        return reorder_item(document, item, action == Action::earlier ? -1 : 1);
-      });
-      break;
-    case Action::enter_group:
-      edit_selection(session, [](const Document& document, ItemId item) -> Result<Edit> {
-        if (const std::optional<ItemId> group = group_to_enter(document, item)) {
-          return move_into(document, item, *group);
-        }
-        const Result<Edit> wrapped = wrap_in_group(document, item);
-        return wrapped ? input_error("no group beside it can take it; Ctrl+G makes one") : wrapped;
-      });
-      break;
-    case Action::leave_group:
-      edit_selection(session, [](const Document& document, ItemId item) -> Result<Edit> {
-        const std::optional<ItemId> group = group_outside(document, item);
-        return group ? move_into(document, item, *group)
-                     : Result<Edit>(input_error("it is not in a group"));
-      });
-      break;
-    case Action::save:
-      save_scene(session);
-      break;
-    case Action::save_as:
-      ask_where_to_save(session, session.path == "-" ? "scene.xml" : session.path);
-      break;
-    default:
-      break;
+void open_list_to_add(Session& session) {
+  session.adding = true;
+  session.settings.outline = true;
+  session.picture_only = false;
+  session.keyboard_in_fields = true;
+}
+
+void duplicate(Session& session) {
+  const bool block = selected_item(session) && session.editing.part->block;
+  edit_selection(session, [&](const Document& document, ItemId item) {
+    return duplicate_item(document, item, viewpoint_of(session));
+  });
+  if (block) {
+    session.editing.part->block = true;
   }
 }
 
+void enter_group(Session& session) {
+  edit_selection(session, [](const Document& document, ItemId item) -> Result<Edit> {
+    if (const std::optional<ItemId> group = group_to_enter(document, item)) {
+      return move_into(document, item, *group);
+    }
+    const Result<Edit> wrapped = wrap_in_group(document, item);
+    return wrapped ? input_error("no group beside it can take it; Ctrl+G makes one") : wrapped;
+  });
+}
+
+void leave_group(Session& session) {
+  edit_selection(session, [](const Document& document, ItemId item) -> Result<Edit> {
+    const std::optional<ItemId> group = group_outside(document, item);
+    return group ? move_into(document, item, *group)
+                 : Result<Edit>(input_error("it is not in a group"));
+  });
+}
+
+template <Result<Edit> (*edit)(const Document&, ItemId)>
+void edit_selected(Session& session) {
+  edit_selection(session, edit);
+}
+
+template <int step>
+void reorder(Session& session) {
+  edit_selection(session, [](const Document& document, ItemId item) {
+    return reorder_item(document, item, step);
+  });
+}
+
 // The visible row of the outline before or after the selected one.
-void select_neighbor(Session& session, int step) {
-  const std::vector<std::uint32_t> rows = visible_rows(session.shown->outline, session.open_rows);
+template <int step>
+void select_neighbor(Session& session) {
+  const std::vector<std::uint32_t>& rows = visible_rows(session);
   const auto now =
       session.selected ? std::find(rows.begin(), rows.end(), *session.selected) : rows.end();
   const auto count = static_cast<std::ptrdiff_t>(rows.size());
@@ -133,23 +111,23 @@ void select_neighbor(Session& session, int step) {
 }
 
 // Adds the view to the path of the scene's views, or removes the last one.
-void change_views(Session& session, Action action) {
+template <bool adds>
+void change_views(Session& session) {
   const std::string path = views_file(session.path);
   const Limits& limits = session.setup.read.limits;
   const Result<std::size_t> views =
-      action == Action::collect_view
-          ? collect_view(path, camera_of(session.camera, session.shown->camera), limits)
-          : drop_view(path, limits);
+      adds ? collect_view(path, camera_of(session.camera, session.shown->camera), limits)
+           : drop_view(path, limits);
   if (!views) {
     say(session, fmt::format("cannot change the path of views: {}", views.error().text), true);
-  } else if (action == Action::collect_view) {
-    say(session, fmt::format("view {} is added to {}", *views, escaped(path)));
   } else {
-    say(session, fmt::format("view {} is removed from {}", *views + 1, escaped(path)));
+    say(session, fmt::format("view {} is {} {}", *views + (adds ? 0 : 1),
+                             adds ? "added to" : "removed from", escaped(path)));
   }
 }
 
-void go_to_neighbor(Session& session, int steps) {
+template <int steps>
+void go_to_neighbor(Session& session) {
   const bool no_file = session.path.empty() || session.path == "-";
   const std::string path = no_file ? "" : neighbor_of(session.path, steps);
   if (path.empty() || path == session.path) {
@@ -166,30 +144,13 @@ void next_light(Session& session) {
   show_only_light(session, next < count ? std::optional(next) : std::nullopt);
 }
 
-bool can_compare(Session& session) {
-  if (sides_of(session) == Sides()) {
-    say(session,
-        "there is no picture to compare with; drop one into the window, or name one: "
-        "scenefile view SCENE PICTURE.png",
-        true);
-    return false;
-  }
-  return true;
-}
-
 // Shows the pictures this way, or only ours again.
-void compare_by(Session& session, Action action) {
-  if (can_compare(session)) {
-    const CompareView view = compare_view_of(action);
-    session.compare = session.compare == view ? CompareView::off : view;
-  }
+template <CompareView view>
+void compare_by(Session& session) {
+  session.compare = session.compare == view ? CompareView::off : view;
 }
 
 void next_sides(Session& session) {
-  if (possible_sides(session).size() < 2) {
-    say(session, "for this, give two pictures of the same size: --reference A.png --mine B.png");
-    return;
-  }
   ++session.sides;
   session.comparison.reset();
   session.compare_started = false;
@@ -210,12 +171,13 @@ std::string screenshot_name(const Session& session) {
   return free_name(name.substr(0, name.rfind('.')) + "-view", ".png");
 }
 
-void set_mode(Session& session, Action action) {
-  session.mode = static_cast<DrawMode>(static_cast<int>(action) - static_cast<int>(Action::shaded));
+template <DrawMode mode>
+void set_mode(Session& session) {
+  session.mode = mode;
   picture_changed(session);
 }
 
-void set_text_scale(Session& session, double factor) {
+void scale_text(Session& session, double factor) {
   session.settings.text_scale =
       static_cast<float>(std::clamp(session.settings.text_scale * factor, 0.5, 4.0));
 }
@@ -254,245 +216,265 @@ void escape(Session& session) {
   }
 }
 
-bool needs_scene(Action action) {
-  return action <= Action::save_as && action != Action::toggle_textures &&
-         action != Action::toggle_shadows;
+template <Side side>
+void look_from(Session& session) {
+  set_camera(session, seen_from(session.camera, side));
 }
 
-void perform_on_scene(Session& session, Action action, const KeyPress& key) {
-  const bool other = key.shift;
-  switch (action) {
-    case Action::scene_camera:
-      set_camera(session, session.home);
-      break;
-    case Action::frame:
-      frame(session);
-      break;
-    case Action::side_front:
-      set_camera(session, seen_from(session.camera, other ? Side::back : Side::front));
-      break;
-    case Action::side_right:
-      set_camera(session, seen_from(session.camera, other ? Side::left : Side::right));
-      break;
-    case Action::side_top:
-      set_camera(session, seen_from(session.camera, other ? Side::bottom : Side::top));
-      break;
-    case Action::collect_view:
-    case Action::drop_view:
-      change_views(session, action);
-      break;
-    case Action::next_light:
-      next_light(session);
-      break;
-    case Action::all_lights:
-      show_only_light(session, std::nullopt);
-      break;
-    case Action::hide_selected:
-      if (session.selected) {
-        toggle_hidden(session, *session.selected);
-      }
-      break;
-    case Action::handles:
-      session.handles = static_cast<Handles>((static_cast<int>(session.handles) + 1) % 4);
-      break;
-    case Action::row_above:
-      select_neighbor(session, -1);
-      break;
-    case Action::row_below:
-      select_neighbor(session, 1);
-      break;
-    case Action::edit_fields:
-      session.keyboard_in_fields = session.selected.has_value();
-      break;
-    default:
-      if (action >= Action::shaded && action <= Action::bounding_boxes) {
-        set_mode(session, action);
-      } else {
-        edit_scene(session, action);
-      }
-      break;
+void show_all(Session& session) {
+  session.hidden.clear();
+  picture_changed(session);
+}
+
+void reload(Session& session) {
+  if (!session.path.empty()) {
+    open_scene(session, session.path);
   }
 }
 
-void perform_on_picture(Session& session, Action action) {
-  Settings& settings = session.settings;
-  switch (action) {
-    case Action::toggle_textures:
-      settings.textures = !settings.textures;
-      forget_cause(session);
-      picture_changed(session);
-      break;
-    case Action::toggle_shadows:
-      settings.shadows = !settings.shadows;
-      forget_cause(session);
-      picture_changed(session);
-      break;
-    case Action::show_all:
-      session.hidden.clear();
-      picture_changed(session);
-      break;
-    case Action::trace:
-      settings.ray_tracing = !settings.ray_tracing;
-      picture_changed(session);
-      break;
-    case Action::realtime:
-      session.realtime = !session.realtime;
-      forget_cause(session);
-      picture_changed(session);
-      break;
-    case Action::side_by_side:
-    case Action::split:
-    case Action::flicker:
-    case Action::other:
-    case Action::difference:
-    case Action::flip:
-      compare_by(session, action);
-      break;
-    case Action::next_sides:
-      next_sides(session);
-      break;
-    case Action::exchange_roles:
-      if (can_compare(session)) {
-        exchange_roles(session);
-      }
-      break;
-    case Action::zoom_in:
-    case Action::zoom_out:
-      zoom_picture(session, action == Action::zoom_in ? 1.5 : 1 / 1.5, session.looked_at);
-      break;
-    case Action::zoom_all:
-      zoom_picture(session, 0, session.looked_at);
-      break;
-    case Action::look_left:
-    case Action::look_right:
-      look_beside(session, {action == Action::look_left ? -1 : 1, 0});
-      break;
-    case Action::look_up:
-    case Action::look_down:
-      look_beside(session, {0, action == Action::look_up ? -1 : 1});
-      break;
-    case Action::magnifier:
-      session.magnifier = !session.magnifier;
-      break;
-    case Action::linear_values:
-      settings.linear_values = !settings.linear_values;
-      break;
-    case Action::correct:
-      correct_text(session);
-      break;
-    case Action::reload:
-      if (!session.path.empty()) {
-        open_scene(session, session.path);
-      }
-      break;
-    case Action::new_scene:
-      new_scene(session, free_name("scene", ".xml"), true);
-      break;
-    case Action::open:
-      if (session.start.open) {
-        close_start_panel(session);
-      } else {
-        open_start_panel(session);
-      }
-      break;
-    case Action::next_scene:
-      go_to_neighbor(session, 1);
-      break;
-    case Action::previous_scene:
-      go_to_neighbor(session, -1);
-      break;
-    default:
-      break;
+void toggle_tracing(Session& session) {
+  session.settings.ray_tracing = !session.settings.ray_tracing;
+  picture_changed(session);
+}
+
+void toggle_explaining(Session& session) {
+  session.explaining = !session.explaining;
+  if (!session.explaining) {
+    read_pixel(session, std::nullopt);
   }
 }
 
-void perform_on_window(Session& session, Action action) {
-  Settings& settings = session.settings;
-  switch (action) {
-    case Action::screenshot:
-      session.screenshot = screenshot_name(session);
-      break;
-    case Action::copy:
-      copy(session);
-      break;
-    case Action::panels:
-      session.picture_only = !session.picture_only;
-      session.keyboard_in_fields = false;
-      break;
-    case Action::outline:
-      settings.outline = !settings.outline;
-      break;
-    case Action::messages:
-      settings.messages = !settings.messages;
-      break;
-    case Action::statistics:
-      settings.statistics = !settings.statistics;
-      break;
-    case Action::axes:
-      settings.axes = !settings.axes;
-      break;
-    case Action::larger_text:
-      set_text_scale(session, 1.1);
-      break;
-    case Action::smaller_text:
-      set_text_scale(session, 1 / 1.1);
-      break;
-    case Action::full_screen:
-      session.full_screen = !session.full_screen;
-      break;
-    case Action::explain:
-      session.explaining = !session.explaining;
-      if (!session.explaining) {
-        read_pixel(session, std::nullopt);
-      }
-      break;
-    case Action::palette:
-      session.palette = !session.palette;
-      break;
-    case Action::help:
-      session.help = !session.help;
-      break;
-    case Action::escape:
-      escape(session);
-      break;
-    case Action::quit:
-      before_losing_edits(session, [](Session& s) { s.quit = true; });
-      break;
-    default:
-      break;
+void toggle_panels(Session& session) {
+  session.picture_only = !session.picture_only;
+  session.keyboard_in_fields = false;
+}
+
+template <int x, int y>
+void look_at_next(Session& session) {
+  look_beside(session, {x, y});
+}
+
+// Reasons why an action has no effect.
+
+std::string_view never(const Session& /*session*/) {
+  return {};
+}
+std::string_view no_scene(const Session& session) {
+  return session.shown == nullptr ? "no scene is open" : "";
+}
+std::string_view not_selected(const Session& session) {
+  const bool selects = session.selected || session.editing.part;
+  return session.shown == nullptr ? no_scene(session) : selects ? "" : "nothing is selected";
+}
+std::string_view not_done(const Session& session) {
+  const bool done = !session.editing.done.empty() || session.editing.progress;
+  return done ? "" : "there is nothing to undo";
+}
+std::string_view not_undone(const Session& session) {
+  return session.editing.undone.empty() ? "there is nothing to redo" : "";
+}
+std::string_view none_hidden(const Session& session) {
+  return session.hidden.empty() ? "nothing is hidden" : "";
+}
+std::string_view no_picture(const Session& session) {
+  return sides_of(session) == Sides() ? "there is no picture to compare with; drop one into the "
+                                        "window, or name one: scenefile view SCENE PICTURE.png"
+                                      : "";
+}
+std::string_view one_picture(const Session& session) {
+  return possible_sides(session).size() < 2 ? "for this, give two pictures of the same size: "
+                                              "--reference A.png --mine B.png"
+                                            : "";
+}
+
+bool is_off(const Session& /*session*/) {
+  return false;
+}
+
+// What an action switches on and off: a member of the session or of its settings.
+template <auto member>
+auto& flag_of(auto& session) {
+  if constexpr (std::is_same_v<decltype(member), bool Settings::*>) {
+    return session.settings.*member;
+  } else {
+    return session.*member;
   }
 }
+template <auto member>
+bool is_set(const Session& session) {
+  return flag_of<member>(session);
+}
+template <auto member>
+void toggle(Session& session) {
+  flag_of<member>(session) = !flag_of<member>(session);
+}
+template <auto member>
+void toggle_in_picture(Session& session) {
+  toggle<member>(session);
+  forget_cause(session);
+  picture_changed(session);
+}
+
+using A = Action;
+
+constexpr ActionRow row(Action action, std::string_view key, std::string_view group,
+                        std::string_view what, void (*act)(Session&),
+                        std::string_view (*refusal)(const Session&) = never,
+                        bool (*is_on)(const Session&) = is_off) {
+  return {action, key, group, what, act, refusal, is_on};
+}
+template <DrawMode mode>
+constexpr ActionRow mode_row(Action action, std::string_view key, std::string_view what) {
+  return {action, key, "Show", what, set_mode<mode>, no_scene, [](const Session& s) {
+            return s.mode == mode;
+          }};
+}
+template <auto member>
+constexpr ActionRow flag_row(Action action, std::string_view key, std::string_view group,
+                             std::string_view what, void (*act)(Session&) = toggle<member>) {
+  return {action, key, group, what, act, never, is_set<member>};
+}
+template <CompareView view>
+constexpr ActionRow compare_row(Action action, std::string_view key, std::string_view what) {
+  return {action, key, "Compare", what, compare_by<view>, no_picture, [](const Session& s) {
+            return s.compare == view;
+          }};
+}
+
+constexpr std::array action_rows{
+    row(
+        A::scene_camera, "Home", "Camera", "the scene's own camera",
+        [](Session& s) { set_camera(s, s.home); }, no_scene),
+    row(A::frame, "F", "Camera", "frame the selection, or everything", frame, no_scene),
+    row(A::side_front, "Ctrl+1", "Camera", "from the front", look_from<Side::front>, no_scene),
+    row(A::side_back, "Ctrl+Shift+1", "Camera", "from behind", look_from<Side::back>, no_scene),
+    row(A::side_right, "Ctrl+3", "Camera", "from the right", look_from<Side::right>, no_scene),
+    row(A::side_left, "Ctrl+Shift+3", "Camera", "from the left", look_from<Side::left>, no_scene),
+    row(A::side_top, "Ctrl+7", "Camera", "from above", look_from<Side::top>, no_scene),
+    row(A::side_bottom, "Ctrl+Shift+7", "Camera", "from below", look_from<Side::bottom>, no_scene),
+    row(A::use_view, "C", "Camera", "make this view the scene's camera", use_view, no_scene),
+    row(A::collect_view, "V", "Camera", "add the view to a path for frames", change_views<true>,
+        no_scene),
+    row(A::drop_view, "Shift+V", "Camera", "remove the last view of the path", change_views<false>,
+        no_scene),
+    row(A::undo, "Ctrl+Z", "Edit", "undo the last edit", undo_edit, not_done),
+    row(A::redo, "Ctrl+Shift+Z", "Edit", "redo it", redo_edit, not_undone),
+    row(A::add, "Insert", "Edit", "add an object, a light, or a field", open_list_to_add, no_scene),
+    row(A::duplicate, "Ctrl+D", "Edit", "duplicate the selection", duplicate, not_selected),
+    row(A::wrap, "Ctrl+G", "Edit", "put the selection into a new group",
+        edit_selected<wrap_in_group>, not_selected),
+    row(A::earlier, "Ctrl+Up", "Edit", "move the selection up in its group", reorder<-1>,
+        not_selected),
+    row(A::later, "Ctrl+Down", "Edit", "move it down", reorder<1>, not_selected),
+    row(A::enter_group, "Ctrl+Right", "Edit", "move it into a group beside it", enter_group,
+        not_selected),
+    row(A::leave_group, "Ctrl+Left", "Edit", "move it out of its group", leave_group, not_selected),
+    row(A::remove, "Delete", "Edit", "delete the selection", edit_selected<remove_item>,
+        not_selected),
+    row(A::correct, "Ctrl+E", "Edit", "correct what is certain", correct_text),
+    row(
+        A::handles, "B", "Edit", "handles: move, turn, scale, none",
+        [](Session& s) { s.handles = static_cast<Handles>((static_cast<int>(s.handles) + 1) % 4); },
+        no_scene, [](const Session& s) { return s.handles != Handles::none; }),
+    row(A::row_above, "Up", "Edit", "select the row above in the outline", select_neighbor<-1>,
+        no_scene),
+    row(A::row_below, "Down", "Edit", "select the row below", select_neighbor<1>, no_scene),
+    row(
+        A::edit_fields, "Enter", "Edit", "go to the fields with the keyboard",
+        [](Session& s) { s.keyboard_in_fields = s.selected.has_value(); }, not_selected),
+    mode_row<DrawMode::shaded>(A::shaded, "1", "shaded"),
+    mode_row<DrawMode::wireframe>(A::wireframe, "2", "wireframe"),
+    mode_row<DrawMode::normals>(A::normals, "3", "normals"),
+    mode_row<DrawMode::uv>(A::uv, "4", "texture coordinates"),
+    mode_row<DrawMode::depth>(A::depth, "5", "depth"),
+    mode_row<DrawMode::object_id>(A::object_id, "6", "objects, each in a color"),
+    mode_row<DrawMode::bounding_boxes>(A::bounding_boxes, "7", "overdraw of bounding boxes"),
+    flag_row<&Settings::textures>(A::toggle_textures, "T", "Show", "textures",
+                                  toggle_in_picture<&Settings::textures>),
+    flag_row<&Settings::shadows>(A::toggle_shadows, "K", "Show", "shadows",
+                                 toggle_in_picture<&Settings::shadows>),
+    row(A::next_light, "L", "Show", "one light at a time", next_light, no_scene,
+        [](const Session& s) { return s.only_light.has_value(); }),
+    row(
+        A::all_lights, "Shift+L", "Show", "all lights",
+        [](Session& s) { show_only_light(s, std::nullopt); }, no_scene),
+    flag_row<&Settings::axes>(A::axes, "N", "Show", "axes, lights and the scene's camera"),
+    row(
+        A::hide_selected, "H", "Show", "hide the selection, or show it again",
+        [](Session& s) { toggle_hidden(s, *s.selected); }, not_selected),
+    row(A::show_all, "Shift+H", "Show", "show everything", show_all, none_hidden),
+    flag_row<&Settings::ray_tracing>(A::trace, "R", "Picture", "ray tracing when the camera rests",
+                                     toggle_tracing),
+    flag_row<&Session::realtime>(A::realtime, "G", "Picture", "the assignment Realtime",
+                                 toggle_in_picture<&Session::realtime>),
+    row(A::zoom_in, "+", "Picture", "zoom in, up to the values of pixels",
+        [](Session& s) { zoom_picture(s, 1.5, s.looked_at); }),
+    row(A::zoom_out, "-", "Picture", "zoom out",
+        [](Session& s) { zoom_picture(s, 1 / 1.5, s.looked_at); }),
+    row(A::zoom_all, "0", "Picture", "all of the picture",
+        [](Session& s) { zoom_picture(s, 0, s.looked_at); }),
+    row(A::look_left, "Shift+Left", "Picture", "a pixel to the left", look_at_next<-1, 0>),
+    row(A::look_right, "Shift+Right", "Picture", "a pixel to the right", look_at_next<1, 0>),
+    row(A::look_up, "Shift+Up", "Picture", "a pixel up", look_at_next<0, -1>),
+    row(A::look_down, "Shift+Down", "Picture", "a pixel down", look_at_next<0, 1>),
+    flag_row<&Session::magnifier>(A::magnifier, "U", "Picture", "magnifier at the pointer"),
+    flag_row<&Settings::linear_values>(A::linear_values, "Shift+U", "Picture",
+                                       "values from 0 to 1, not to 255"),
+    flag_row<&Session::explaining>(A::explain, "Y", "Picture",
+                                   "explain the pixels that are clicked", toggle_explaining),
+    row(A::screenshot, "F12", "Picture", "screenshot of the window",
+        [](Session& s) { s.screenshot = screenshot_name(s); }),
+    compare_row<CompareView::split>(A::split, "X", "left and right of a line"),
+    compare_row<CompareView::side_by_side>(A::side_by_side, "Shift+X", "side by side"),
+    compare_row<CompareView::other>(A::other, "Z", "the other picture in place of the first"),
+    compare_row<CompareView::flicker>(A::flicker, "Shift+Z", "flicker: both by turns"),
+    compare_row<CompareView::difference>(A::difference, "M", "heat map of the differences"),
+    compare_row<CompareView::flip>(A::flip, "Shift+M", "FLIP: visible differences"),
+    row(A::next_sides, "J", "Compare", "another two of ours, reference and mine", next_sides,
+        one_picture),
+    row(A::exchange_roles, "Shift+J", "Compare", "exchange reference and mine", exchange_roles,
+        no_picture),
+    row(A::open, "Ctrl+O", "Scene", "open a scene: recent files, folders",
+        [](Session& s) { s.start.open ? close_start_panel(s) : open_start_panel(s); }),
+    row(A::new_scene, "Ctrl+N", "Scene", "start a new scene",
+        [](Session& s) { new_scene(s, free_name("scene", ".xml"), true); }),
+    row(A::save, "Ctrl+S", "Scene", "save the scene", save_scene, no_scene),
+    row(
+        A::save_as, "Ctrl+Shift+S", "Scene", "save it under another name",
+        [](Session& s) { ask_where_to_save(s, s.path == "-" ? "scene.xml" : s.path); }, no_scene),
+    row(A::reload, "F5", "Scene", "read the file again", reload),
+    row(A::next_scene, "Page Down", "Scene", "the next scene in the folder", go_to_neighbor<1>),
+    row(A::previous_scene, "Page Up", "Scene", "the previous scene in the folder",
+        go_to_neighbor<-1>),
+    row(A::copy, "Ctrl+C", "Window", "copy pixel, selection or camera", copy),
+    flag_row<&Settings::outline>(A::outline, "O", "Window", "outline"),
+    flag_row<&Settings::messages>(A::messages, "P", "Window", "messages"),
+    flag_row<&Settings::statistics>(A::statistics, "I", "Window", "figures"),
+    flag_row<&Session::picture_only>(A::panels, "Tab", "Window", "show only the picture",
+                                     toggle_panels),
+    row(A::larger_text, "Ctrl++", "Window", "larger text", [](Session& s) { scale_text(s, 1.1); }),
+    row(A::smaller_text, "Ctrl+-", "Window", "smaller text",
+        [](Session& s) { scale_text(s, 1 / 1.1); }),
+    flag_row<&Session::full_screen>(A::full_screen, "F11", "Window", "full screen"),
+    flag_row<&Session::palette>(A::palette, "Ctrl+Shift+P", "Window", "search in all commands"),
+    flag_row<&Session::help>(A::help, "F1", "Window", "this help"),
+    row(A::escape, "Escape", "Window", "close a panel, or clear the selection", escape),
+    row(A::quit, "Ctrl+Q", "Window", "quit",
+        [](Session& s) { before_losing_edits(s, [](Session& now) { now.quit = true; }); }),
+};
 
 }  // namespace
 
-CompareView compare_view_of(Action action) {
-  switch (action) {
-    case Action::side_by_side:
-      return CompareView::side_by_side;
-    case Action::split:
-      return CompareView::split;
-    case Action::flicker:
-      return CompareView::flicker;
-    case Action::other:
-      return CompareView::other;
-    case Action::difference:
-      return CompareView::difference;
-    case Action::flip:
-      return CompareView::flip;
-    default:
-      return CompareView::off;
-  }
+std::span<const ActionRow> actions() {
+  return action_rows;
 }
 
-void perform(Session& session, Action action, const KeyPress& key) {
-  if (needs_scene(action)) {
-    if (session.shown != nullptr) {
-      perform_on_scene(session, action, key);
-    }
-  } else if (action < Action::screenshot) {
-    perform_on_picture(session, action);
+void perform(Session& session, Action action) {
+  const ActionRow& row = row_of(action);
+  if (const std::string_view refusal = row.refusal(session); !refusal.empty()) {
+    say(session, std::string(refusal));
   } else {
-    perform_on_window(session, action);
+    row.act(session);
   }
 }
 

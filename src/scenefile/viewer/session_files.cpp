@@ -178,6 +178,17 @@ void open_first_rows(Session& session) {
   }
 }
 
+// After an edit, in the outline.
+void select_edited_item(Session& session) {
+  if (const std::optional<std::uint32_t> row = row_of_selected_item(session);
+      row && row != session.selected) {
+    session.selected = row;
+    session.selected_copy.clear();
+    reveal_selection(session);
+  }
+  describe_selection(session);
+}
+
 void show(Session& session, std::shared_ptr<const SceneOnShow> scene) {
   const bool same_file =  // perhaps under another name
       session.shown != nullptr && (session.shown->opened.path == scene->opened.path ||
@@ -189,13 +200,7 @@ void show(Session& session, std::shared_ptr<const SceneOnShow> scene) {
     start_state(session);
   }
   session.shown = std::move(scene);
-  if (const std::optional<std::uint32_t> row = row_of_selected_item(session);
-      row && row != session.selected) {
-    session.selected = row;
-    session.selected_copy.clear();
-    reveal_selection(session);
-  }
-  describe_selection(session);
+  select_edited_item(session);
   ++session.version;
   session.home = home_of(*session.shown);
   if (!same_file || at_home) {
@@ -391,6 +396,10 @@ bool tick_files(Session& session) {
     if (session.load_again) {
       start_loading(session, false);
     }
+  }
+  if (tick_document(session)) {
+    select_edited_item(session);
+    news = true;
   }
   if (std::optional<ReadPicture> read = session.reading.take()) {
     const PictureRequest request = std::move(session.pictures.front());

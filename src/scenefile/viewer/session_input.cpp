@@ -133,7 +133,7 @@ bool key_pressed(Session& session, const KeyPress& key) {
     return true;
   }
   if (const ActionRow* const row = action_of(key); row != nullptr) {
-    perform(session, row->action, key);
+    perform(session, row->action);
     return true;
   }
   return false;

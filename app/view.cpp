@@ -173,9 +173,10 @@ viewer::WindowOptions window_options(const Options& options, viewer::Script scri
   window.mine = options.mine;
   window.picture = options.arguments.size() > 1 ? options.arguments[1] : "";
   if (script.steps.empty()) {
-    window.settings = viewer::settings_path(std::getenv("XDG_CONFIG_HOME"), std::getenv("HOME"));
-    window.setup.recent_files =
-        viewer::recent_files_path(std::getenv("XDG_STATE_HOME"), std::getenv("HOME"));
+    window.settings = viewer::user_path(std::getenv("XDG_CONFIG_HOME"), std::getenv("HOME"),
+                                        ".config", "view.ini");
+    window.setup.recent_files = viewer::user_path(std::getenv("XDG_STATE_HOME"),
+                                                  std::getenv("HOME"), ".local/state", "recent");
   }
   if (options.window[0] != 0) {
     window.size = {options.window[0], options.window[1]};

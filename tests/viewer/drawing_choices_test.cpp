@@ -75,7 +75,7 @@ TEST_F(DrawingChoices, TheProjectsOfTheCourse) {
   EXPECT_TRUE(trace_options(session).features.texture);
   EXPECT_FALSE(trace_options(session).features.refract);
   EXPECT_TRUE(is_feature_set(session, "illuminate"));
-  for (const std::string_view set : feature_sets()) {
+  for (const std::string_view set : feature_sets) {
     use_feature_set(session, set);
     EXPECT_TRUE(is_feature_set(session, set)) << set;
   }

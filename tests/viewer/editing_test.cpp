@@ -71,7 +71,7 @@ struct EditingTest : testing::SessionFixture {
   void drag_line(int number, double share, const glm::dvec2& by) {
     const std::optional<HandleSet> set = handles_of(session);
     ASSERT_TRUE(set.has_value());
-    for (const HandleLine& line : handle_lines(session, *set, 1)) {
+    for (const HandleLine& line : handle_lines(session, *set)) {
       if (line.number == number) {
         const auto last = static_cast<double>(line.points.size() - 1);
         const glm::dvec2 from = line.points.size() == 2
@@ -93,12 +93,32 @@ struct EditingTest : testing::SessionFixture {
   }
 };
 
-// It takes as long as opening the scene, and keeps the window waiting.
+// It takes as long as opening the scene.
 TEST_F(EditingTest, ASceneIsReadForEditingOnceSomethingIsSelected) {
   EXPECT_FALSE(session.editing.document);
   select_label("cube");
   EXPECT_TRUE(selected_item(session));
   EXPECT_TRUE(session.editing.document);
+}
+
+TEST_F(EditingTest, ALongTextIsReadOnAnotherThread) {
+  open_scene(session, folder.write("long.xml", testing::scene_text + "<!--" +
+                                                   std::string(std::size_t{1} << 20, ' ') + "-->"));
+  settle();
+  select_label("sphere");
+  EXPECT_FALSE(selected_item(session));
+  perform(session, Action::duplicate);
+  EXPECT_THAT(session.notice->text, HasSubstr("still being read"));
+  settle();
+  EXPECT_TRUE(selected_item(session));
+  const std::size_t before = shapes();
+  perform(session, Action::duplicate);
+  settle();
+  EXPECT_EQ(shapes(), before + 1);
+  EXPECT_EQ(selected(), "sphere");
+  EXPECT_GT(session.shown->outline.rows[*session.selected].location.line, 19U) << "the copy";
+  drag_value("diffuse", 0, "0.5");
+  EXPECT_TRUE(selected_item(session)) << "its fields are needed while they are dragged";
 }
 
 TEST_F(EditingTest, ADragIsOneStepAndShownAtOnce) {
@@ -150,7 +170,7 @@ TEST_F(EditingTest, AnEditEndsTheDragOfAHandle) {
   select_label("cube");
   const std::optional<HandleSet> set = handles_of(session);
   ASSERT_TRUE(set.has_value());
-  pointer_moved(session, handle_lines(session, *set, 1).front().points.back());
+  pointer_moved(session, handle_lines(session, *set).front().points.back());
   pointer_pressed(session, 0, {});
   pointer_moved(session, session.pointer.at + glm::dvec2(20, 0));
   perform(session, Action::remove);
@@ -233,7 +253,7 @@ TEST_F(EditingTest, TheViewBecomesTheCamera) {
   const double z = session.camera.position.z;
   perform(session, Action::use_view);
   settle();
-  EXPECT_NEAR(session.shown->camera.position.z, z, 1e-5);
+  EXPECT_NEAR(session.shown->opened.camera().position.z, z, 1e-5);
   EXPECT_THAT(text(), HasSubstr("<!-- in front -->"));
   EXPECT_EQ(session.camera, session.home);
   perform(session, Action::save);
@@ -566,7 +586,7 @@ TEST_F(EditingTest, HandlesTurnAndScale) {
   const std::optional<HandleSet> set = handles_of(session);
   ASSERT_TRUE(set.has_value());
   const glm::dvec2 middle = *point_in_window(session, set->at);
-  for (const HandleLine& line : handle_lines(session, *set, 1)) {
+  for (const HandleLine& line : handle_lines(session, *set)) {
     if (line.number == 2) {
       const glm::dvec2 from = line.points[8] - middle;
       const double angle = glm::radians(-30.0);  // the window's y points down
@@ -603,8 +623,8 @@ TEST_F(EditingTest, HandlesOfLightsAndTheCamera) {
   set_camera(session, zoomed(session.camera, 3, {0, 0, 0}));
   set_camera(session, orbited(session.camera, 40, 20));
   drag_line(1, 0.9, {0, -20});
-  EXPECT_GT(session.shown->camera.position.y, 0.2);
-  EXPECT_EQ(session.shown->camera.position.z, 6);
+  EXPECT_GT(session.shown->opened.camera().position.y, 0.2);
+  EXPECT_EQ(session.shown->opened.camera().position.z, 6);
 }
 
 TEST_F(EditingTest, HandlesOfTheConeOfASpotLight) {

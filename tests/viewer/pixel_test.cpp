@@ -2,7 +2,6 @@
 
 #include "io/temp_folder.h"
 #include "scenefile/asset/image_file.h"
-#include "scenefile/viewer/copied_text.h"
 #include "scenefile/viewer/session.h"
 #include "viewer/session_fixture.h"
 

@@ -15,13 +15,6 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using testing_support::TempFolder;
 
-TEST(RecentFiles, AreInTheStateFolder) {
-  EXPECT_EQ(recent_files_path("/state", "/home/me"), "/state/scenefile/recent");
-  EXPECT_EQ(recent_files_path("state", "/home/me"), "/home/me/.local/state/scenefile/recent");
-  EXPECT_EQ(recent_files_path(nullptr, "/home/me"), "/home/me/.local/state/scenefile/recent");
-  EXPECT_EQ(recent_files_path(nullptr, nullptr), "");
-}
-
 TEST(RecentFiles, LatestFirstWithoutDuplicates) {
   const TempFolder folder;
   const std::string path = folder.path("state/scenefile/recent");

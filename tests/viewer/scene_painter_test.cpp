@@ -79,9 +79,9 @@ struct ScenePainterTest : ::testing::Test {
 
 TEST_F(ScenePainterTest, DrawsWhatIsAskedFor) {
   EXPECT_NE(painter->renderer(), "");
-  EXPECT_FALSE(painter->take(true).has_value());
+  EXPECT_FALSE(painter->take(Painting::shown, true).has_value());
   painter->ask(job(testing::scene_text, 80, 60));
-  const std::optional<Painted> painted = painter->take(true);
+  const std::optional<Painted> painted = painter->take(Painting::shown, true);
   ASSERT_TRUE(painted.has_value());
   EXPECT_FALSE(painter->busy());
   ASSERT_EQ(painted->picture.width, 80);
@@ -94,34 +94,35 @@ TEST_F(ScenePainterTest, DrawsWhatIsAskedFor) {
 TEST_F(ScenePainterTest, ARefinementIsInterruptedAndLeavesNothingHalfDone) {
   const std::string text = many_spheres();
   painter->ask(job(text, 40, 30));
-  ASSERT_TRUE(painter->take(true).has_value());
+  ASSERT_TRUE(painter->take(Painting::shown, true).has_value());
   PaintJob best = job(text, 320, 240, true);
   best.recipe.options.samples = 4;
   painter->ask(best);
   std::this_thread::sleep_for(std::chrono::milliseconds(50));  // it is probably being drawn
   const PaintJob small = job(text, 40, 30);
   painter->ask(small);
-  const std::optional<Painted> painted = painter->take(true);
+  const std::optional<Painted> painted = painter->take(Painting::shown, true);
   ASSERT_TRUE(painted.has_value());
   EXPECT_EQ(painted->recipe, small.recipe) << "the small picture is the last one";
   const auto fresh = ScenePainter::create(headless(), [] {});
   ASSERT_EQ(error_text(fresh), "");
   (*fresh)->ask(small);
-  EXPECT_EQ(painted->picture.rgb, (*fresh)->take(true)->picture.rgb) << "with its shadows";
+  EXPECT_EQ(painted->picture.rgb, (*fresh)->take(Painting::shown, true)->picture.rgb)
+      << "with its shadows";
 }
 
 TEST_F(ScenePainterTest, OtherPicturesComeAfterThoseOfTheWindow) {
   painter->ask(job(testing::scene_text, 80, 60));
-  painter->ask_other(job(testing::scene_text, 16, 12, true));
+  painter->ask(job(testing::scene_text, 16, 12, true), Painting::compared);
   painter->ask(job(testing::scene_text, 81, 61));
   std::optional<Painted> other;
   for (int i = 0; i < testing::patience && !other; ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    other = painter->take_other();
+    other = painter->take(Painting::compared);
   }
   ASSERT_TRUE(other.has_value());
   EXPECT_EQ(other->picture.width, 16);
-  EXPECT_EQ(painter->take(true)->picture.width, 81);
+  EXPECT_EQ(painter->take(Painting::shown, true)->picture.width, 81);
 }
 
 TEST_F(ScenePainterTest, EndsInTheMiddleOfAPicture) {

@@ -45,10 +45,13 @@ TEST(Settings, NewerVersionsAndValuesOutOfRange) {
 }
 
 TEST(Settings, Places) {
-  EXPECT_EQ(settings_path("/x", "/home/me"), "/x/scenefile/view.ini");
-  EXPECT_EQ(settings_path("relative", "/home/me"), "/home/me/.config/scenefile/view.ini");
-  EXPECT_EQ(settings_path(nullptr, "/home/me"), "/home/me/.config/scenefile/view.ini");
-  EXPECT_EQ(settings_path(nullptr, nullptr), "");
+  const auto path = [](const char* xdg, const char* home) {
+    return user_path(xdg, home, ".config", "view.ini");
+  };
+  EXPECT_EQ(path("/x", "/home/me"), "/x/scenefile/view.ini");
+  EXPECT_EQ(path("relative", "/home/me"), "/home/me/.config/scenefile/view.ini");
+  EXPECT_EQ(path(nullptr, "/home/me"), "/home/me/.config/scenefile/view.ini");
+  EXPECT_EQ(path(nullptr, nullptr), "");
 }
 
 TEST(Settings, Files) {

@@ -5,28 +5,6 @@
 
 namespace scenefile::viewer {
 
-namespace {
-
-constexpr std::array gesture_table{
-    GestureRow{"drag", "turn the scene"},
-    GestureRow{"Shift or middle drag", "move the picture"},
-    GestureRow{"Ctrl + drag", "look around"},
-    GestureRow{"wheel, right drag", "zoom in or out"},
-    GestureRow{"Ctrl + wheel", "zoom into the picture; then drag it"},
-    GestureRow{"W A S D Q E", "fly; with Shift faster"},
-    GestureRow{"click", "select an object"},
-    GestureRow{"Alt + click", "select, and explain the pixel"},
-    GestureRow{"drag a handle", "move, turn or scale the selection"},
-    GestureRow{"drop a scene or folder", "open it"},
-    GestureRow{"drop a picture", "compare with it"},
-};
-
-}  // namespace
-
-std::span<const GestureRow> gestures() {
-  return gesture_table;
-}
-
 const ActionRow& row_of(Action action) {
   const auto rows = actions();
   return *std::find_if(rows.begin(), rows.end(),

@@ -108,13 +108,6 @@ struct ActionRow {
 std::span<const ActionRow> actions();
 const ActionRow& row_of(Action action);
 
-/// Mouse gestures, for the help.
-struct GestureRow {
-  std::string_view gesture;
-  std::string_view what;
-};
-std::span<const GestureRow> gestures();
-
 /// A key with its modifiers.
 struct KeyPress {
   std::string name;  ///< "A", "1", "F5", "Home", "Page Up", "?"

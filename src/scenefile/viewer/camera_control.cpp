@@ -3,6 +3,7 @@
 #include "scenefile/scene/prepare.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -38,15 +39,6 @@ glm::dvec3 turned_direction(const ViewCamera& view, double right_deg, double up_
   const double then = std::clamp(now - up_deg, pole_deg, 180 - pole_deg);
   const glm::dvec3 ahead = rotated(axes.ahead, axes.right, now - then);
   return glm::normalize(rotated(ahead, view.up, -right_deg));
-}
-
-double rounded(double value, int digits) {
-  if (value == 0 || !std::isfinite(value)) {
-    return 0;
-  }
-  const double magnitude = std::floor(std::log10(std::abs(value)));
-  const double step = std::pow(10.0, magnitude - digits + 1);
-  return std::round(value / step) * step;
 }
 
 // A vector rounded to `digits` significant digits of its longest component.
@@ -108,8 +100,7 @@ Camera camera_of(const ViewCamera& view, const Camera& home) {
     camera.up = rounded(view.up, digits_of_file);
   }
   if (std::abs(view.height_angle_deg - at_home.height_angle_deg) > 1e-5) {
-    camera.height_angle_deg =
-        static_cast<float>(rounded(view.height_angle_deg, digits_of_file - 1));
+    camera.height_angle_deg = rounded({view.height_angle_deg, 0, 0}, digits_of_file - 1).x;
   }
   return camera;
 }
@@ -205,27 +196,9 @@ ViewCamera seen_from(const ViewCamera& view, Side side) {
   const glm::dvec3 right = glm::cross(ahead, view.up);
   const glm::dvec3 nearly_up = rotated(view.up, right, pole_deg);
   const glm::dvec3 nearly_down = rotated(-view.up, right, -pole_deg);
+  const std::array<glm::dvec3, 6> away{-ahead, ahead, right, -right, nearly_up, nearly_down};
   ViewCamera result = view;
-  switch (side) {
-    case Side::front:
-      result.position = view.pivot - ahead * distance;
-      break;
-    case Side::back:
-      result.position = view.pivot + ahead * distance;
-      break;
-    case Side::right:
-      result.position = view.pivot + right * distance;
-      break;
-    case Side::left:
-      result.position = view.pivot - right * distance;
-      break;
-    case Side::top:
-      result.position = view.pivot + nearly_up * distance;
-      break;
-    case Side::bottom:
-      result.position = view.pivot + nearly_down * distance;
-      break;
-  }
+  result.position = view.pivot + away[static_cast<std::size_t>(side)] * distance;
   return result;
 }
 

@@ -57,8 +57,8 @@ void Canvas::warm_up(const Session& session) {
   }
   recipe.camera.position = {0, 0, 2};
   recipe.width = recipe.height = 8;
-  painter_->ask_other(
-      {std::move(recipe), std::move(tiny), upload_options(session.setup.trace), false});
+  painter_->ask({std::move(recipe), std::move(tiny), upload_options(session.setup.trace), false},
+                Painting::compared);
 }
 
 int Canvas::hurry_for(const Session& session, bool moving) const {
@@ -102,7 +102,7 @@ void Canvas::draw(const Session& session) {
 void Canvas::finish(Session& session) {
   if (needs_drawing(session)) {
     ask(session, recipe_for(session, 0), true);
-    if (std::optional<Painted> painted = painter_->take(true)) {
+    if (std::optional<Painted> painted = painter_->take(Painting::shown, true)) {
       accept(session, *std::move(painted));
     }
   }
@@ -158,16 +158,28 @@ bool Canvas::update(Session& session, bool whole) {
   return done;
 }
 
+void Canvas::describe(GuiFrame& frame) const {
+  frame.renderer = painter_->renderer();
+  frame.drawn = painted_.stats;
+  frame.scene_seconds = painted_.seconds;
+  frame.scene = drawn_.name();
+  frame.traced = traced_.name();
+  frame.reference = reference_.name();
+  frame.mine = mine_.name();
+  frame.difference = difference_.name();
+  frame.flip = flip_.name();
+}
+
 void Canvas::ask_to_compare(const Session& session) {
   PaintRecipe recipe = recipe_to_compare(session);
   if (compared_asked_ != recipe) {
-    painter_->ask_other(job_of(session, recipe, true));
+    painter_->ask(job_of(session, recipe, true), Painting::compared);
     compared_asked_ = std::move(recipe);
   }
 }
 
 std::optional<Texture> Canvas::take_to_compare(const Session& session) {
-  std::optional<Painted> painted = painter_->take_other();
+  std::optional<Painted> painted = painter_->take(Painting::compared);
   if (!painted) {
     return std::nullopt;
   }

@@ -3,12 +3,12 @@
 // Internal to viewer; needs the window's context.
 
 #include "scenefile/viewer/gl_picture.h"
+#include "scenefile/viewer/gui.h"
 #include "scenefile/viewer/scene_painter.h"
 #include "scenefile/viewer/session.h"
 
 #include <memory>
 #include <optional>
-#include <string>
 
 namespace scenefile::viewer {
 
@@ -42,16 +42,8 @@ class Canvas {
   void ask_to_compare(const Session& session);
   std::optional<Texture> take_to_compare(const Session& session);
 
-  const GlPicture& drawn() const { return drawn_; }
-  const GlPicture& traced() const { return traced_; }
-  const GlPicture& reference() const { return reference_; }
-  const GlPicture& mine() const { return mine_; }
-  const GlPicture& difference() const { return difference_; }
-  const GlPicture& flip() const { return flip_; }
-  const DrawStats& stats() const { return painted_.stats; }
-  /// For drawing the last picture.
-  double seconds() const { return painted_.seconds; }
-  const std::string& renderer() const { return painter_->renderer(); }
+  /// Sets what a frame shows of the pictures.
+  void describe(GuiFrame& frame) const;
 
  private:
   int hurry_for(const Session& session, bool moving) const;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <utility>
+#include <vector>
 
 namespace scenefile::viewer {
 
@@ -26,12 +27,6 @@ Result<CameraPath> read_views(const std::string& path, const Limits& limits) {
                : Error{fmt::format("{}:{}", file_name_of(path), views.error().text)};
 }
 
-// Returns the number of views.
-Result<std::size_t> write_views(const std::string& path, const CameraPath& views) {
-  const Result<void> written = write_file(path, write_cameras(views));
-  return written ? Result<std::size_t>(views.views.size()) : written.error();
-}
-
 }  // namespace
 
 std::string views_file(const std::string& scene) {
@@ -39,33 +34,26 @@ std::string views_file(const std::string& scene) {
   return absolute_path(name.substr(0, name.rfind('.')) + "-views.json");
 }
 
-Result<std::size_t> collect_view(const std::string& path, const Camera& camera,
+Result<std::size_t> change_views(const std::string& path, const std::optional<Camera>& added,
                                  const Limits& limits) {
   Result<CameraPath> views = read_views(path, limits);
   if (!views) {
     return views.error();
   }
-  scenefile::CameraView view;
-  view.camera = camera;
-  view.time = views->views.empty() ? 0 : views->views.back().time + 1;
-  views->views.push_back(view);
-  return write_views(path, *views);
-}
-
-Result<std::size_t> drop_view(const std::string& path, const Limits& limits) {
-  Result<CameraPath> views = read_views(path, limits);
-  if (!views) {
-    return views.error();
-  }
-  if (views->views.empty()) {
+  std::vector<scenefile::CameraView>& all = views->views;
+  if (added) {
+    scenefile::CameraView view;
+    view.camera = *added;
+    view.time = all.empty() ? 0 : all.back().time + 1;
+    all.push_back(view);
+  } else if (all.empty()) {
     return Error{"there are no views"};
+  } else {
+    all.pop_back();
   }
-  views->views.pop_back();
-  if (!views->views.empty()) {
-    return write_views(path, *views);
-  }
-  const Result<void> removed = remove_file(path);
-  return removed ? Result<std::size_t>(0) : removed.error();
+  const Result<void> changed =
+      all.empty() ? remove_file(path) : write_file(path, write_cameras(*views));
+  return changed ? Result<std::size_t>(all.size()) : changed.error();
 }
 
 }  // namespace scenefile::viewer

@@ -6,6 +6,7 @@
 #include "scenefile/scene/scene.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace scenefile::viewer {
@@ -14,12 +15,10 @@ namespace scenefile::viewer {
 /// chess-views.json.
 std::string views_file(const std::string& scene);
 
-/// Adds the camera to the file, one second after the last view, or creates the file. Existing views
-/// do not change. Returns how many views the file has now, or why it was not changed.
-Result<std::size_t> collect_view(const std::string& path, const Camera& camera,
+/// Adds the camera to the file, one second after the last view, or creates the file; without a
+/// camera removes the last view, and the file, too, if that was the only one. Other views do not
+/// change. Returns how many views the file has now, or why it was not changed.
+Result<std::size_t> change_views(const std::string& path, const std::optional<Camera>& added,
                                  const Limits& limits);
-
-/// Removes the last view; the file, too, if it was the only one. Returns the same.
-Result<std::size_t> drop_view(const std::string& path, const Limits& limits);
 
 }  // namespace scenefile::viewer

@@ -2,8 +2,6 @@
 
 #include "scenefile/trace/features.h"
 
-#include <array>
-
 namespace scenefile::viewer {
 
 namespace {
@@ -42,13 +40,7 @@ DrawnAs drawn_as(const Session& session) {
   if (traces_paths(session)) {
     return DrawnAs::paths;
   }
-  switch (session.setup.trace.profile) {
-    case Profile::course:
-      return DrawnAs::course;
-    case Profile::fine:
-      return DrawnAs::fine;
-  }
-  return DrawnAs::fine;
+  return session.setup.trace.profile == Profile::course ? DrawnAs::course : DrawnAs::fine;
 }
 
 void draw_as(Session& session, DrawnAs drawn) {
@@ -95,11 +87,6 @@ void toggle_feature(Session& session, std::string_view word) {
     set_features(session, features);
     drawing_changed(session);
   }
-}
-
-std::span<const std::string_view> feature_sets() {
-  static constexpr std::array<std::string_view, 4> words{"all", "illuminate", "intersect", "none"};
-  return words;
 }
 
 void use_feature_set(Session& session, std::string_view word) {

@@ -4,7 +4,7 @@
 
 #include "scenefile/viewer/session.h"
 
-#include <span>
+#include <array>
 #include <string_view>
 
 namespace scenefile::viewer {
@@ -27,7 +27,8 @@ void toggle_feature(Session& session, std::string_view word);
 
 /// Named sets of features: all, none, and the course's projects intersect and
 /// illuminate.
-std::span<const std::string_view> feature_sets();
+inline constexpr std::array<std::string_view, 4> feature_sets{"all", "illuminate", "intersect",
+                                                              "none"};
 void use_feature_set(Session& session, std::string_view word);
 /// Whether the features, and the mode, are those of the set.
 bool is_feature_set(const Session& session, std::string_view word);

@@ -300,11 +300,10 @@ const Document* edited_document(Session& session) {
 
 bool tick_document(Session& session) {
   std::optional<ReadDocument> read = session.reading_document.take();
-  if (!read || read->version != session.editing.version) {
-    return false;
+  if (read && read->version == session.editing.version) {
+    keep_document(session.editing, std::move(read->document));
   }
-  keep_document(session.editing, std::move(read->document));
-  return true;
+  return read.has_value();
 }
 
 std::optional<ItemId> selected_item(Session& session) {

@@ -101,7 +101,7 @@ bool shows_edited_text(const Session& session);
 /// The current text as a document; null if it cannot be edited, for the reason in
 /// Editing::refusal: also while a long text is being read on another thread.
 const Document* edited_document(Session& session);
-/// Takes a document that was read. Returns whether it is that of the current text.
+/// Takes a document that was read. Returns false if there is none.
 bool tick_document(Session& session);
 /// The selected item of edited_document(); nullopt: none.
 std::optional<ItemId> selected_item(Session& session);

@@ -5,38 +5,30 @@
 
 namespace scenefile::viewer {
 
-std::vector<FileStamp> FileWatch::stamps() const {
-  std::vector<FileStamp> result;
-  result.reserve(paths_.size());
-  for (const std::string& path : paths_) {
-    result.push_back(stamp_of(path));
-  }
-  return result;
-}
-
 void FileWatch::watch(std::vector<std::string> paths) {
-  std::vector<FileStamp> known;
-  std::vector<FileStamp> seen;
-  for (const std::string& path : paths) {
-    const auto before = std::find(paths_.begin(), paths_.end(), path);
-    const std::size_t i = std::size_t(before - paths_.begin());
-    known.push_back(before != paths_.end() ? known_[i] : stamp_of(path));
-    seen.push_back(before != paths_.end() ? seen_[i] : known.back());
+  std::vector<Watched> files;
+  for (std::string& path : paths) {
+    const auto before = std::find_if(files_.begin(), files_.end(),
+                                     [&](const Watched& file) { return file.path == path; });
+    const FileStamp stamp = before != files_.end() ? FileStamp() : stamp_of(path);
+    files.push_back(before != files_.end() ? *before : Watched{std::move(path), stamp, stamp});
   }
-  paths_ = std::move(paths);
-  known_ = std::move(known);
-  seen_ = std::move(seen);
+  files_ = std::move(files);
 }
 
 bool FileWatch::changed() {
-  std::vector<FileStamp> now = stamps();
-  const bool at_rest = now == seen_;
-  seen_ = std::move(now);
-  if (!at_rest || seen_ == known_) {
-    return false;
+  bool at_rest = true;
+  bool differs = false;
+  for (Watched& file : files_) {
+    const FileStamp stamp = stamp_of(file.path);
+    at_rest = at_rest && stamp == file.seen;
+    differs = differs || stamp != file.known;
+    file.seen = stamp;
   }
-  known_ = seen_;
-  return true;
+  for (Watched& file : files_) {
+    file.known = at_rest ? file.seen : file.known;
+  }
+  return at_rest && differs;
 }
 
 }  // namespace scenefile::viewer

@@ -20,11 +20,12 @@ class FileWatch {
   bool changed();
 
  private:
-  std::vector<FileStamp> stamps() const;
-
-  std::vector<std::string> paths_;
-  std::vector<FileStamp> known_;
-  std::vector<FileStamp> seen_;
+  struct Watched {
+    std::string path;
+    FileStamp known;  ///< when changed() last returned true, or the file was not watched before
+    FileStamp seen;   ///< by the last call
+  };
+  std::vector<Watched> files_;
 };
 
 }  // namespace scenefile::viewer

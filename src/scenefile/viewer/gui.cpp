@@ -48,7 +48,7 @@ void build_left(Session& session, const GuiFrame& frame, Box& room) {
   const double width = std::min(session.settings.panel_width * frame.scale, room.size.x * 0.45);
   const Box panel{room.at, {width, room.size.y}};
   begin_panel("##left", panel, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  build_outline(session, frame);
+  build_outline(session);
   ImGui::End();
   build_grip(session, panel, frame.scale);
   room.at.x += width;

@@ -51,8 +51,8 @@ void build_gui(Session& session, const GuiFrame& frame, const glm::dvec2& window
 // The parts of a frame, each in a separate file.
 void build_menu(Session& session);
 void build_drawing_menu(Session& session);
-void build_outline(Session& session, const GuiFrame& frame);
-void build_object(Session& session, const GuiFrame& frame);
+void build_outline(Session& session);
+void build_object(Session& session);
 /// In their place while nothing is selected.
 void build_no_object(Session& session);
 void build_question(Session& session, const GuiFrame& frame);
@@ -61,11 +61,10 @@ void build_status(const Session& session, const GuiFrame& frame);
 void build_overlay(Session& session, const GuiFrame& frame);
 void build_realtime_panel(Session& session, const GuiFrame& frame);
 void build_readout(Session& session);
+void paint_pictures(const Session& session, const GuiFrame& frame);
 /// The values of the pixels, where these are large enough.
 void paint_values(const Session& session, const GuiFrame& frame);
 void paint_magnifier(const Session& session, const GuiFrame& frame);
-/// The texture of a picture; 0: none.
-unsigned texture_of(const Session& session, const GuiFrame& frame, Role role);
 void paint_mark(const Session& session, const GuiFrame& frame);
 void build_palette(Session& session, const GuiFrame& frame);
 void build_help(const GuiFrame& frame);

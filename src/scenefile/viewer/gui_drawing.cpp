@@ -35,7 +35,7 @@ void build_profiles(Session& session) {
 void build_features(Session& session) {
   const bool traced = !session.realtime && !traces_paths(session);
   ImGui::TextDisabled("%s", traced ? "Features" : "Features (of ray tracing)");
-  for (const std::string_view word : feature_sets()) {
+  for (const std::string_view word : feature_sets) {
     if (ImGui::MenuItem(std::string(word).c_str(), nullptr, is_feature_set(session, word),
                         traced)) {
       use_feature_set(session, word);

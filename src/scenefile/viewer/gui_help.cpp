@@ -32,10 +32,20 @@ struct HelpLine {
 };
 
 std::vector<HelpLine> help_lines() {
-  std::vector<HelpLine> lines{{"", "Mouse and flying"}};
-  for (const GestureRow& row : gestures()) {
-    lines.push_back({row.gesture, row.what});
-  }
+  std::vector<HelpLine> lines{
+      {"", "Mouse and flying"},
+      {"drag", "turn the scene"},
+      {"Shift or middle drag", "move the picture"},
+      {"Ctrl + drag", "look around"},
+      {"wheel, right drag", "zoom in or out"},
+      {"Ctrl + wheel", "zoom into the picture; then drag it"},
+      {"W A S D Q E", "fly; with Shift faster"},
+      {"click", "select an object"},
+      {"Alt + click", "select, and explain the pixel"},
+      {"drag a handle", "move, turn or scale the selection"},
+      {"drop a scene or folder", "open it"},
+      {"drop a picture", "compare with it"},
+  };
   std::string_view group;
   for (const ActionRow& row : actions()) {
     if (row.group != group) {

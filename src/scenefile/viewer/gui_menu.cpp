@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <cctype>
 #include <string>
 
 namespace scenefile::viewer {
@@ -15,9 +16,7 @@ namespace {
 
 std::string capitalized(std::string_view text) {
   std::string result(text);
-  if (!result.empty() && result.front() >= 'a' && result.front() <= 'z') {
-    result.front() = static_cast<char>(result.front() - 'a' + 'A');
-  }
+  result.front() = static_cast<char>(std::toupper(result.front()));
   return result;
 }
 

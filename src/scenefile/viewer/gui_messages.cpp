@@ -30,18 +30,12 @@ unsigned color_of(Severity severity) {
 
 // The line of the file. Tabs count as one column, so they are drawn as one space.
 std::string line_of(std::string_view text, std::uint32_t line) {
-  std::size_t begin = 0;
-  for (std::uint32_t i = 1; i < line && begin != std::string_view::npos; ++i) {
-    begin = text.find('\n', begin);
-    begin += begin == std::string_view::npos ? 0 : 1;
+  for (; line > 1; --line) {
+    text.remove_prefix(std::min(text.find('\n'), text.size()));
+    text.remove_prefix(text.empty() ? 0 : 1);
   }
-  if (begin == std::string_view::npos) {
-    return {};
-  }
-  std::string result(text.substr(begin, text.find('\n', begin) - begin));
-  for (char& c : result) {
-    c = c == '\t' ? ' ' : c;
-  }
+  std::string result(text.substr(0, text.find('\n')));
+  std::replace(result.begin(), result.end(), '\t', ' ');
   return result;
 }
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <array>
@@ -120,13 +121,13 @@ class FieldRow {
         break;
       case ValueKind::text:
       case ValueKind::id:
-        build_text(0, width_);
+        build_text(width_);
         break;
       case ValueKind::file:
-        build_file(width_);
+        build_file();
         break;
       case ValueKind::image:
-        build_file(width_);
+        build_file();
         ImGui::SetCursorPosX(left);
         build_numbers(1, 2);
         break;
@@ -246,20 +247,18 @@ class FieldRow {
     }
   }
 
-  void build_text(std::size_t part, float width) {
-    constexpr std::size_t room = 1024;  // for what is typed
-    std::vector<char> text(field_.parts[part].value.size() + room);
-    field_.parts[part].value.copy(text.data(), text.size() - 1);
+  void build_text(float width) {
+    std::string text = field_.parts.front().value;
     ImGui::SetNextItemWidth(width);
-    ImGui::InputText("##text", text.data(), text.size());
-    if (ImGui::IsItemDeactivatedAfterEdit() && field_.parts[part].value != text.data()) {
-      change(only(part, text.data()));
+    ImGui::InputText("##text", &text);
+    if (ImGui::IsItemDeactivatedAfterEdit() && field_.parts.front().value != text) {
+      change(only(0, text));
     }
   }
 
-  void build_file(float width) {
+  void build_file() {
     const float button = ImGui::GetFrameHeight();
-    build_text(0, width - button - gap());
+    build_text(width_ - button - gap());
     ImGui::SameLine(0, gap());
     if (ImGui::Button("...", {button, 0})) {
       ImGui::OpenPopup("files");
@@ -490,7 +489,7 @@ void end_field_edit(Session& session) {
 
 }  // namespace
 
-void build_object(Session& session, const GuiFrame& /*frame*/) {
+void build_object(Session& session) {
   const OutlineRow row = session.shown->outline.rows[*session.selected];
   build_name(session, row);
   const std::optional<ItemId> item = selected_item(session);
@@ -563,18 +562,15 @@ void build_question(Session& session, const GuiFrame& frame) {
   ImGui::Spacing();
   std::optional<std::size_t> answer;
   if (question.path) {
-    std::array<char, 4096> path{};
-    question.path->copy(path.data(), path.size() - 1);
     ImGui::SetNextItemWidth(-1);
     if (!ImGui::IsAnyItemActive()) {  // also after a path that was wrong
       ImGui::SetKeyboardFocusHere();
     }
     if (ImGui::InputText(
-            "##path", path.data(), path.size(),
+            "##path", &*session.question->path,
             ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll)) {
       answer = 0;
     }
-    session.question->path = path.data();
     ImGui::Spacing();
   }
   for (std::size_t i = 0; i < question.answers.size(); ++i) {

@@ -258,7 +258,7 @@ void build_rows(Session& session) {
 
 }  // namespace
 
-void build_outline(Session& session, const GuiFrame& frame) {
+void build_outline(Session& session) {
   const float room = ImGui::GetContentRegionAvail().y;
   const float object = session.selected
                            ? std::floor(0.6F * room)
@@ -278,7 +278,7 @@ void build_outline(Session& session, const GuiFrame& frame) {
     ImGui::GetCurrentContext()->NavDisableHighlight = false;
   }
   if (session.selected) {
-    build_object(session, frame);
+    build_object(session);
   } else {
     build_no_object(session);
   }

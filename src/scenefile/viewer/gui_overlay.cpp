@@ -17,24 +17,6 @@ namespace scenefile::viewer {
 
 namespace {
 
-ImTextureID texture(unsigned name) {
-  return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(name));
-}
-
-// Draws the visible part of a picture, between two fractions of the width of its place.
-void paint_picture(const Session& session, const Box& view, unsigned name, double from = 0,
-                   double to = 1) {
-  if (name == 0 || to <= from) {
-    return;
-  }
-  const Box whole = whole_picture(session, view);
-  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-  draw.PushClipRect(vec({view.at.x + from * view.size.x, view.at.y}),
-                    vec({view.at.x + to * view.size.x, view.at.y + view.size.y}));
-  draw.AddImage(texture(name), vec(whole.at), vec(whole.at + whole.size));
-  draw.PopClipRect();
-}
-
 // Text on a dark background, wrapped to lines of at most `room`; `anchor` is the position of the
 // point in the text, from 0 to 1.
 void paint_label(const glm::dvec2& at, const std::string& text, const glm::dvec2& anchor,
@@ -59,24 +41,6 @@ void paint_bottom_label(const Session& session, const GuiFrame& frame, const std
   const double up = 12 * frame.scale + above * ImGui::GetTextLineHeight();
   paint_label({(begin.x + end.x) / 2, end.y - up}, text, {0.5, 1}, frame.scale, color,
               end.x - begin.x);
-}
-
-void paint_pictures(const Session& session, const GuiFrame& frame) {
-  const Box& box = session.picture;
-  paint_picture(session, box, texture_of(session, frame, role_in_front(session)));
-  if (!is_comparable(session)) {
-    return;
-  }
-  const unsigned right = texture_of(session, frame, sides_of(session).right);
-  if (session.compare == CompareView::side_by_side) {
-    paint_picture(session, session.beside, right);
-  } else if (session.compare == CompareView::split) {
-    paint_picture(session, box, right, session.split, 1);
-  } else if (session.comparison && session.compare == CompareView::difference) {
-    paint_picture(session, box, frame.difference);
-  } else if (session.comparison && session.compare == CompareView::flip) {
-    paint_picture(session, box, frame.flip);
-  }
 }
 
 void paint_split(const Session& session, const GuiFrame& frame) {
@@ -208,27 +172,11 @@ void paint_box(const Projection& projection, const Bounds& box, double scale) {
   }
 }
 
-// Where our picture ends, from its left edge.
-double right_of_ours(const Session& session) {
-  const bool split = session.compare == CompareView::split && is_comparable(session);
-  return split ? session.split * session.picture.size.x : session.picture.size.x;
-}
-
 // A box around the selection, which leaves its colors as they are.
 void paint_selection(const Session& session, const GuiFrame& frame) {
-  if (!session.selected || session.compare > CompareView::split) {
-    return;
+  if (session.selected && !session.selected_box.empty()) {
+    paint_box(Projection(session), session.selected_box, frame.scale);
   }
-  const Bounds& box = session.selected_box;
-  if (box.empty()) {
-    return;
-  }
-  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-  const Box& picture = session.picture;
-  draw.PushClipRect(vec(picture.at),
-                    vec(picture.at + glm::dvec2(right_of_ours(session), picture.size.y)));
-  paint_box(Projection(session), box, frame.scale);
-  draw.PopClipRect();
 }
 
 void paint_lines(const Projection& projection, const std::vector<WorldLine>& lines, ImU32 color,
@@ -252,18 +200,12 @@ void paint_axes(const Projection& projection, double length, double scale) {
 
 // World axes, all lights and the scene's camera, if enabled; always the selected light or camera.
 void paint_helpers(const Session& session, const GuiFrame& frame) {
-  if (session.shown == nullptr || session.compare > CompareView::split) {
-    return;
-  }
   const Projection projection(session);
   const Bounds& box = session.shown->bounds;
   const double size = box.empty() ? 1 : glm::length(box.max - box.min);
   const OutlineRow* const selected =
       session.selected ? &session.shown->outline.rows[*session.selected] : nullptr;
   const bool all = session.settings.axes;
-  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-  const Box& picture = session.picture;
-  draw.PushClipRect(vec(picture.at), vec(picture.at + picture.size));
   if (all) {
     paint_axes(projection, 0.3 * size, frame.scale);
   }
@@ -277,31 +219,28 @@ void paint_helpers(const Session& session, const GuiFrame& frame) {
   }
   const bool camera_chosen = selected != nullptr && selected->kind == RowKind::camera;
   if ((all || camera_chosen) && session.camera != session.home) {
-    paint_lines(projection,
-                camera_helper(render_camera(session.home), picture.size.x / picture.size.y, box),
-                rgba(camera_chosen ? color_accent : 0xd0d0d0), frame.scale);
+    const glm::dvec2& size_of_picture = session.picture.size;
+    paint_lines(
+        projection,
+        camera_helper(render_camera(session.home), size_of_picture.x / size_of_picture.y, box),
+        rgba(camera_chosen ? color_accent : 0xd0d0d0), frame.scale);
   }
-  draw.PopClipRect();
 }
 
 // The handles of the selection; the one under the pointer, or held, is bright.
 void paint_handles(Session& session, const GuiFrame& frame) {
   const std::optional<HandleSet> set = handles_of(session);
-  if (!set || session.compare > CompareView::split) {
+  if (!set) {
     return;
   }
   static constexpr std::array<unsigned, 6> colors{0xe05050, 0x50c050, 0x5080ff,
                                                   0xe2e4e8, 0xffe080, 0xffa040};
   const bool held = session.pointer.drag == Drag::handle && session.grasped;
-  const std::optional<int> bright = held
-                                        ? std::optional(session.grasped->number)
-                                        : handle_at(session, *set, session.pointer.at, frame.scale);
+  const std::optional<int> bright =
+      held ? std::optional(session.grasped->number) : handle_at(session, *set, session.pointer.at);
   const auto s = static_cast<float>(frame.scale);
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-  const Box& picture = session.picture;
-  draw.PushClipRect(vec(picture.at),
-                    vec(picture.at + glm::dvec2(right_of_ours(session), picture.size.y)));
-  for (const HandleLine& line : handle_lines(session, *set, frame.scale)) {
+  for (const HandleLine& line : handle_lines(session, *set)) {
     const bool over = bright == line.number;
     const ImU32 color =
         rgba(over ? 0xffffff : colors[static_cast<std::size_t>(line.number)], over ? 255 : 230);
@@ -323,6 +262,21 @@ void paint_handles(Session& session, const GuiFrame& frame) {
       draw.AddCircleFilled(end, r, color, 16);
     }
   }
+}
+
+// What lies over our picture.
+void paint_over_ours(Session& session, const GuiFrame& frame) {
+  if (session.shown == nullptr || session.compare > CompareView::split) {
+    return;
+  }
+  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+  const Box& picture = session.picture;
+  const bool split = session.compare == CompareView::split && is_comparable(session);
+  draw.PushClipRect(vec(picture.at),
+                    vec(picture.at + picture.size * glm::dvec2(split ? session.split : 1, 1)));
+  paint_selection(session, frame);
+  paint_helpers(session, frame);
+  paint_handles(session, frame);
   draw.PopClipRect();
 }
 
@@ -402,19 +356,9 @@ void paint_legend(const Session& session, const GuiFrame& frame) {
 
 }  // namespace
 
-unsigned texture_of(const Session& session, const GuiFrame& frame, Role role) {
-  return role == Role::reference    ? frame.reference
-         : role == Role::mine       ? frame.mine
-         : shows_traced(session)    ? frame.traced
-         : session.shown != nullptr ? frame.scene
-                                    : 0;
-}
-
 void build_overlay(Session& session, const GuiFrame& frame) {
   paint_pictures(session, frame);
-  paint_selection(session, frame);
-  paint_helpers(session, frame);
-  paint_handles(session, frame);
+  paint_over_ours(session, frame);
   paint_values(session, frame);
   paint_comparison(session, frame);
   paint_legend(session, frame);

@@ -1,13 +1,14 @@
 // The palette: all commands, to search in.
 
+#include "scenefile/base/text.h"
 #include "scenefile/viewer/gui.h"
 #include "scenefile/viewer/gui_colors.h"
 
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -15,25 +16,16 @@ namespace scenefile::viewer {
 
 namespace {
 
-std::string lowered(std::string_view text) {
-  std::string lower(text);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return lower;
-}
-
 // Commands whose group, description or key contains every word.
 std::vector<const ActionRow*> matches(const std::string& typed) {
   std::vector<const ActionRow*> rows;
   for (const ActionRow& row : actions()) {
-    const std::string text =
-        lowered(std::string(row.group) + " " + std::string(row.what) + " " + std::string(row.key));
-    const std::string words = lowered(typed);
+    const std::string text = lower_case(std::string(row.group) + " " + std::string(row.what) + " " +
+                                        std::string(row.key));
     bool all = row.action != Action::palette;
-    for (std::size_t at = 0; at < words.size() && all;) {
-      const std::size_t end = std::min(words.find(' ', at), words.size());
-      all = text.find(words.substr(at, end - at)) != std::string::npos;
-      at = end + 1;
+    std::istringstream words(lower_case(typed));
+    for (std::string word; all && words >> word;) {
+      all = text.find(word) != std::string::npos;
     }
     if (all) {
       rows.push_back(&row);
@@ -58,13 +50,11 @@ void build_palette(Session& session, const GuiFrame& frame) {
     session.palette_row = 0;
     ImGui::SetKeyboardFocusHere();
   }
-  std::array<char, 200> typed{};
-  session.palette_typed.copy(typed.data(), typed.size() - 1);
   ImGui::SetNextItemWidth(-1);
-  const bool entered = ImGui::InputTextWithHint("##typed", "type a word of a command", typed.data(),
-                                                typed.size(), ImGuiInputTextFlags_EnterReturnsTrue);
-  if (session.palette_typed != typed.data()) {
-    session.palette_typed = typed.data();
+  const bool entered =
+      ImGui::InputTextWithHint("##typed", "type a word of a command", &session.palette_typed,
+                               ImGuiInputTextFlags_EnterReturnsTrue);
+  if (ImGui::IsItemEdited()) {
     session.palette_row = 0;
   }
   const std::vector<const ActionRow*> rows = matches(session.palette_typed);

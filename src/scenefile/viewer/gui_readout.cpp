@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace scenefile::viewer {
 
@@ -32,10 +33,9 @@ std::string wrapped_at_spaces(std::string text, float width) {
 // click on a line that names an object or light selects it.
 void build_lines(Session& session, const std::string& text) {
   constexpr std::size_t most = 1000;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string line = escaped(text.substr(begin, end - begin), most);
-    begin = end + 1;
+  std::istringstream lines(text);
+  for (std::string whole; std::getline(lines, whole);) {
+    const std::string line = escaped(whole, most);
     std::size_t branches = 0;
     while (branches < line.size() &&
            (line[branches] == ' ' || (static_cast<unsigned char>(line[branches]) & 0x80) != 0)) {

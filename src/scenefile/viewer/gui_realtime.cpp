@@ -14,16 +14,11 @@ namespace {
 
 // The sliders of the course's program; other values can be typed after Ctrl+click.
 constexpr int slider_max = 25;
-constexpr float max_near = 10;
-constexpr float max_far = 100;
+constexpr double max_near = 10;
+constexpr double max_far = 100;
 
-bool depth_slider(const char* name, double& depth, float least, float most) {
-  auto value = static_cast<float>(depth);
-  if (!ImGui::SliderFloat(name, &value, least, most, "%.2f")) {
-    return false;
-  }
-  depth = static_cast<double>(value);
-  return true;
+bool depth_slider(const char* name, double& depth, double least, double most) {
+  return ImGui::SliderScalar(name, ImGuiDataType_Double, &depth, &least, &most, "%.2f");
 }
 
 bool parameter_slider(const char* name, int& parameter) {
@@ -43,8 +38,8 @@ bool build_controls(RealtimeOptions& panel) {
   panel.milestone = static_cast<Milestone>(milestone);
   changed |= parameter_slider("parameter 1", panel.tessellation.parameter1);
   changed |= parameter_slider("parameter 2", panel.tessellation.parameter2);
-  changed |= depth_slider("near plane", panel.near, 0.01F, max_near);
-  changed |= depth_slider("far plane", panel.far, 0.1F, max_far);
+  changed |= depth_slider("near plane", panel.near, 0.01, max_near);
+  changed |= depth_slider("far plane", panel.far, 0.1, max_far);
   static constexpr std::array<const char*, 5> filters{"no filter", "invert", "grayscale", "blur",
                                                       "sharpen"};
   int filter = static_cast<int>(panel.filter);
@@ -58,8 +53,7 @@ bool build_controls(RealtimeOptions& panel) {
 void build_realtime_panel(Session& session, const GuiFrame& frame) {
   const double margin = 12 * frame.scale;
   const glm::dvec2 at = session.picture.at + margin;
-  ImGui::SetNextWindowPos({static_cast<float>(at.x), static_cast<float>(at.y)},
-                          ImGuiCond_Appearing);
+  ImGui::SetNextWindowPos(vec(at), ImGuiCond_Appearing);
   ImGui::SetNextWindowBgAlpha(0.85F);
   ImGui::Begin("Realtime", nullptr,
                ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |

@@ -5,8 +5,8 @@
 #include "scenefile/viewer/gui.h"
 #include "scenefile/viewer/gui_colors.h"
 
-#include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <array>
@@ -44,33 +44,35 @@ std::string build_recent(const Session& session) {
 
 // A field for a path, in which Enter opens it.
 std::string build_field(StartPanel& panel) {
-  std::array<char, 4096> text{};
-  panel.typed.copy(text.data(), text.size() - 1);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
   if (panel.appears) {
     panel.appears = false;
     ImGui::SetKeyboardFocusHere();  // what is typed is for the field
   }
-  const bool entered = ImGui::InputTextWithHint("##path", "type a path, and Enter", text.data(),
-                                                text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
-  panel.typed = text.data();
+  const bool entered = ImGui::InputTextWithHint("##path", "type a path, and Enter", &panel.typed,
+                                                ImGuiInputTextFlags_EnterReturnsTrue);
   return entered && !panel.typed.empty() ? typed_path(panel, std::getenv("HOME")) : std::string();
 }
 
 std::string build_choices(const StartPanel& panel) {
   static constexpr std::array<const char*, 3> ends{"/", "", "  (to compare with)"};
   std::string chosen;
-  for (const Choice& choice : panel.choices) {
-    ImGui::PushID(choice.path.c_str());
-    const std::string name =
-        escaped(choice.name, 200) + ends[static_cast<std::size_t>(choice.kind)];
-    ImGui::PushStyleColor(ImGuiCol_Text,
-                          rgba(choice.kind == ChoiceKind::scene ? color_text : color_dim));
-    if (ImGui::Selectable(name.c_str())) {
-      chosen = choice.path;
+  ImGuiListClipper clipper;  // a folder may have many files
+  clipper.Begin(static_cast<int>(panel.choices.size()));
+  while (clipper.Step()) {
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+      const Choice& choice = panel.choices[static_cast<std::size_t>(i)];
+      ImGui::PushID(i);
+      const std::string name =
+          escaped(choice.name, 200) + ends[static_cast<std::size_t>(choice.kind)];
+      ImGui::PushStyleColor(ImGuiCol_Text,
+                            rgba(choice.kind == ChoiceKind::scene ? color_text : color_dim));
+      if (ImGui::Selectable(name.c_str())) {
+        chosen = choice.path;
+      }
+      ImGui::PopStyleColor();
+      ImGui::PopID();
     }
-    ImGui::PopStyleColor();
-    ImGui::PopID();
   }
   return chosen;
 }
@@ -90,8 +92,6 @@ std::string build_folder(StartPanel& panel) {
   }
   if (panel.choices.empty()) {
     dim_text("there are no scenes here");
-  } else if (panel.cut_off) {
-    dim_text(fmt::format("only the first {} are listed", max_choices));
   }
   ImGui::EndChild();
   return chosen;

@@ -1,4 +1,4 @@
-// The values of pixels, on them and in the magnifier.
+// The pictures, with the values of their pixels, and the magnifier.
 
 #include "scenefile/viewer/gui.h"
 #include "scenefile/viewer/gui_colors.h"
@@ -22,6 +22,17 @@ struct View {
   bool compares = false;  ///< it shows differences of two pictures
   unsigned texture = 0;
 };
+
+unsigned texture_of(const Session& session, const GuiFrame& frame, Role role) {
+  return role == Role::reference ? frame.reference
+         : role == Role::mine    ? frame.mine
+         : shows_traced(session) ? frame.traced
+                                 : frame.scene;
+}
+
+ImTextureID texture(const View& view) {
+  return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(view.texture));
+}
 
 const Comparison* comparison_of(const Session& session) {
   const bool known = session.comparison && session.comparison->sides == sides_of(session);
@@ -51,7 +62,9 @@ std::vector<View> views_of(const Session& session, const GuiFrame& frame) {
     views[0].texture = flip ? frame.flip : frame.difference;
     views[0].compares = true;
   }
-  std::erase_if(views, [](const View& view) { return view.shown.bytes == nullptr; });
+  std::erase_if(views, [](const View& view) {
+    return view.shown.bytes == nullptr || view.texture == 0;  // not there, or not uploaded yet
+  });
   return views;
 }
 
@@ -157,9 +170,8 @@ void paint_lens(const Session& session, const View& view, const Box& box, double
   const glm::ivec2 pixel = view.shown.pixel_at(session.looked_at);
   const glm::dvec2 size(view.shown.size());
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-  draw.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(view.texture)),
-                vec(box.at), vec(box.at + box.size), vec(glm::dvec2(pixel - around) / size),
-                vec(glm::dvec2(pixel + around + 1) / size));
+  draw.AddImage(texture(view), vec(box.at), vec(box.at + box.size),
+                vec(glm::dvec2(pixel - around) / size), vec(glm::dvec2(pixel + around + 1) / size));
   const glm::dvec2 one = box.size / (2.0 * around + 1);
   paint_frame({box.at + one * double{around}, one}, scale);
 }
@@ -198,6 +210,15 @@ void paint_lenses(const Session& session, const GuiFrame& frame, const std::vect
 }
 
 }  // namespace
+
+void paint_pictures(const Session& session, const GuiFrame& frame) {
+  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+  for (const View& view : views_of(session, frame)) {
+    draw.PushClipRect(vec(view.box.at), vec(view.box.at + view.box.size));
+    draw.AddImage(texture(view), vec(view.whole.at), vec(view.whole.at + view.whole.size));
+    draw.PopClipRect();
+  }
+}
 
 void paint_values(const Session& session, const GuiFrame& frame) {
   for (const View& view : views_of(session, frame)) {

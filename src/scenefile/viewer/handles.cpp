@@ -38,10 +38,7 @@ glm::dvec3 vector_of(const FieldView& field) {
 }
 
 std::string number_text(double value) {
-  const std::string text = fmt::format("{:.4f}", value);
-  const std::size_t end = text.find_last_not_of('0');
-  const std::string tidy = text.substr(0, text[end] == '.' ? end : end + 1);
-  return tidy == "-0" ? "0" : tidy;
+  return fmt::format("{}", std::round(value * 1e4) / 1e4 + 0.0);  // not -0
 }
 
 Values values_of(const glm::dvec3& v) {
@@ -365,7 +362,7 @@ std::optional<HandleSet> handles_of(Session& session) {
   return set;
 }
 
-std::vector<HandleLine> handle_lines(const Session& session, const HandleSet& set, double scale) {
+std::vector<HandleLine> handle_lines(const Session& session, const HandleSet& set) {
   std::vector<HandleLine> lines;
   const auto add = [&](int number, std::span<const glm::dvec3> points) {
     HandleLine line{number, {}};
@@ -386,7 +383,7 @@ std::vector<HandleLine> handle_lines(const Session& session, const HandleSet& se
       add(edge == SpotEdge::outer ? 4 : 5, {ring.data() + i * quarter, quarter + 1});
     }
   }
-  const double length = handle_length * scale * pixel_size(session, set.at);
+  const double length = handle_length * session.gui_scale * pixel_size(session, set.at);
   // The camera's angle has no axes; nothing turns about all three.
   const int first = set.kind == Handles::scale && set.of_camera ? 3 : 0;
   const int end = set.kind == Handles::none ? 0 : set.kind == Handles::turn ? 3 : 4;
@@ -396,11 +393,10 @@ std::vector<HandleLine> handle_lines(const Session& session, const HandleSet& se
   return lines;
 }
 
-std::optional<int> handle_at(const Session& session, const HandleSet& set, const glm::dvec2& at,
-                             double scale) {
+std::optional<int> handle_at(const Session& session, const HandleSet& set, const glm::dvec2& at) {
   std::optional<int> nearest;
-  double distance = reach * scale;
-  for (const HandleLine& line : handle_lines(session, set, scale)) {
+  double distance = reach * session.gui_scale;
+  for (const HandleLine& line : handle_lines(session, set)) {
     if (const double own = distance_to(line.points, at); own <= distance) {
       distance = own;
       nearest = line.number;
@@ -411,10 +407,9 @@ std::optional<int> handle_at(const Session& session, const HandleSet& set, const
 
 bool grasp_handle(Session& session) {
   const std::optional<HandleSet> set = handles_of(session);
-  const std::optional<int> number =
-      set && session.compare <= CompareView::split
-          ? handle_at(session, *set, session.pointer.at, session.gui_scale)
-          : std::nullopt;
+  const std::optional<int> number = set && session.compare <= CompareView::split
+                                        ? handle_at(session, *set, session.pointer.at)
+                                        : std::nullopt;
   if (number) {
     session.grasped = {*set, *number, session.pointer.at, session.pointer.at};
   }

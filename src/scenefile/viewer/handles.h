@@ -47,12 +47,10 @@ struct GraspedHandle {
 
 /// The handles to show; nullopt: nothing that they could move is selected.
 std::optional<HandleSet> handles_of(Session& session);
-/// In the window; empty if the handles are behind the camera. `scale`: pixels per pixel of a
-/// normal-density screen.
-std::vector<HandleLine> handle_lines(const Session& session, const HandleSet& set, double scale);
+/// In the window; empty if the handles are behind the camera.
+std::vector<HandleLine> handle_lines(const Session& session, const HandleSet& set);
 /// The number of the handle at a place.
-std::optional<int> handle_at(const Session& session, const HandleSet& set, const glm::dvec2& at,
-                             double scale);
+std::optional<int> handle_at(const Session& session, const HandleSet& set, const glm::dvec2& at);
 
 /// Takes the handle under the pointer, if there is one.
 bool grasp_handle(Session& session);

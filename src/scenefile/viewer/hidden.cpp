@@ -11,9 +11,7 @@ namespace {
 
 template <typename Item>
 void remove_hidden(std::vector<Item>& items, const Hidden& hidden) {
-  items.erase(std::remove_if(items.begin(), items.end(),
-                             [&](const Item& item) { return hidden.contains(item.source); }),
-              items.end());
+  std::erase_if(items, [&](const Item& item) { return hidden.contains(item.source); });
 }
 
 Bounds primitive_bounds(const RenderPrimitive& primitive, const Assets& assets) {

@@ -104,7 +104,9 @@ TracedPicture LiveTrace::Job::trace_paths(Clock::time_point start, KeptStructure
     kept.hidden = hidden;
   }
   TracedPicture last;
-  PathPasses passes{noise, kept.rate};
+  PathPasses passes;
+  passes.noise = noise;
+  passes.rate = kept.rate;
   passes.go_on = [&](bool first) { return !discarded && (first || !cancelled); };
   passes.show = [&](PathPass pass) {
     TracedPicture picture;

@@ -23,6 +23,8 @@ struct OpenedScene {
   Diagnostics diagnostics;
   std::vector<std::string> files;  ///< paths of textures and meshes, even of unusable ones
 
+  /// Of the file, or the default camera.
+  Camera camera() const { return written.camera.value_or(Camera{}); }
   /// Whether path tracing alone shows it.
   bool lit_by_faces_only() const {
     return ready.scene.lights.empty() && has_emissive_faces(assets);

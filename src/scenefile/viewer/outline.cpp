@@ -12,26 +12,6 @@ namespace scenefile::viewer {
 
 namespace {
 
-/// Finds the index of a source.
-class SourceNumbers {
- public:
-  explicit SourceNumbers(const std::vector<Source>& sources) {
-    for (std::uint32_t i = 0; i < sources.size(); ++i) {
-      numbers_.emplace(key(sources[i]), i);
-    }
-  }
-  std::uint32_t find(const Source& source) const {
-    const auto found = numbers_.find(key(source));
-    return found == numbers_.end() ? no_index : found->second;
-  }
-
- private:
-  using Key = std::tuple<NodeId, SourceKind, std::uint32_t>;
-  static Key key(const Source& source) { return {source.node, source.kind, source.index}; }
-
-  std::map<Key, std::uint32_t> numbers_;
-};
-
 std::string light_label(const Light& light) {
   return light.name.empty() ? fmt::format("{} light", word_of(light.type)) : light.name;
 }
@@ -76,11 +56,10 @@ class WordCounts {
 
 class OutlineMaker {
  public:
-  OutlineMaker(const Scene& scene, const Prepared& ready) : scene_(scene), numbers_(ready.sources) {
-    outline_.row_of_source.assign(ready.sources.size(), no_index);
-  }
+  explicit OutlineMaker(const Scene& scene)
+      : scene_(scene), row_of_node_(scene.nodes.size(), no_index) {}
 
-  Outline make() {
+  Outline make(const std::vector<Source>& sources) {
     add({RowKind::globals, 0, 0, 0, "global data"});
     add_camera();
     add_tree(scene_.root, 0, scene_.name.empty() ? "scene" : scene_.name);
@@ -91,6 +70,7 @@ class OutlineMaker {
       }
       close(row);
     }
+    number_sources(sources);
     return std::move(outline_);
   }
 
@@ -109,14 +89,31 @@ class OutlineMaker {
     }
     row.parent = open_.empty() ? index : open_.back();
     open_.push_back(index);
-    if (row.source != no_index) {
-      outline_.row_of_source[row.source] = index;
-    }
     outline_.rows.push_back(std::move(row));
     return index;
   }
   void close(std::uint32_t row) {
     outline_.rows[row].end = static_cast<std::uint32_t>(outline_.rows.size());
+  }
+
+  // The rows of a node: its own, those of its lights, those of its primitives.
+  void number_sources(const std::vector<Source>& sources) {
+    outline_.row_of_source.assign(sources.size(), no_index);
+    for (std::uint32_t i = 0; i < sources.size(); ++i) {
+      const Source& source = sources[i];
+      if (row_of_node_[source.node] == no_index) {
+        continue;
+      }
+      std::uint32_t row = row_of_node_[source.node];
+      if (source.kind != SourceKind::instance) {
+        row += 1 + source.index;
+      }
+      if (source.kind == SourceKind::primitive) {
+        row += static_cast<std::uint32_t>(scene_.nodes[source.node].lights.size());
+      }
+      outline_.row_of_source[i] = row;
+      outline_.rows[row].source = i;
+    }
   }
 
   void add_camera() {
@@ -184,25 +181,20 @@ class OutlineMaker {
       row.kind = RowKind::copy;
       row.label = node.name.empty() ? node.instance_of.str() : node.name.str();
       row.detail = node.name.empty() ? "copy" : "copy of " + node.instance_of.str();
-      row.source = numbers_.find({id, SourceKind::instance, 0});
     }
-    const std::uint32_t index = add(std::move(row));
-    for (std::uint32_t i = 0; i < node.lights.size(); ++i) {
-      const Light& light = node.lights[i];
-      add({RowKind::light, depth + 1, 0, 0, light_label(light), "", light.location,
-           numbers_.find({id, SourceKind::light, i})});
+    const std::uint32_t index = row_of_node_[id] = add(std::move(row));
+    for (const Light& light : node.lights) {
+      add({RowKind::light, depth + 1, 0, 0, light_label(light), "", light.location});
     }
-    for (std::uint32_t i = 0; i < node.primitives.size(); ++i) {
-      const Primitive& primitive = node.primitives[i];
+    for (const Primitive& primitive : node.primitives) {
       add({RowKind::primitive, depth + 1, 0, 0, std::string(word_of(primitive.shape)),
-           primitive_detail(primitive), primitive.location,
-           numbers_.find({id, SourceKind::primitive, i})});
+           primitive_detail(primitive), primitive.location});
     }
     return index;
   }
 
   const Scene& scene_;
-  SourceNumbers numbers_;
+  std::vector<std::uint32_t> row_of_node_;
   Outline outline_;
   std::vector<std::uint32_t> open_;  ///< the rows around the last one, and itself
 };
@@ -280,7 +272,7 @@ std::vector<std::uint32_t> match_rows(const Outline& before, const Outline& afte
 }
 
 Outline make_outline(const Scene& scene, const Prepared& ready) {
-  return OutlineMaker(scene, ready).make();
+  return OutlineMaker(scene).make(ready.sources);
 }
 
 std::vector<std::uint32_t> visible_rows(const Outline& outline,

@@ -1,18 +1,9 @@
 #include "scenefile/viewer/picker.h"
 
-#include "scenefile/trace/accelerator.h"
-
 #include <algorithm>
 #include <cmath>
 
 namespace scenefile::viewer {
-
-struct Picker::Impl {
-  Impl(const RenderScene& scene, const Assets& assets)
-      : accelerator(scene, assets, {.instances = Instances::named}) {}
-
-  Accelerator accelerator;
-};
 
 namespace {
 
@@ -33,10 +24,6 @@ bool is_drawn(const Hit& hit, const Ray& ray, const PickPlanes& planes) {
 
 }  // namespace
 
-Picker::Picker(const RenderScene& scene, const Assets& assets)
-    : impl_(std::make_unique<Impl>(scene, assets)) {}
-Picker::~Picker() = default;
-
 Ray ray_through(const RenderCamera& camera, const glm::dvec2& point, double aspect) {
   const double half = std::tan(camera.fov_y / 2);
   const glm::dvec3 direction = -camera.w + camera.u * ((2 * point.x - 1) * half * aspect) +
@@ -47,16 +34,15 @@ Ray ray_through(const RenderCamera& camera, const glm::dvec2& point, double aspe
 std::optional<Pick> Picker::pick(const Ray& ray, const Hidden& hidden,
                                  const std::optional<PickPlanes>& planes) const {
   constexpr int max_hidden = 64;  // one behind another along the ray
-  const Accelerator& accelerator = impl_->accelerator;
-  if (accelerator.status() != AcceleratorStatus::ready) {
+  if (accelerator_.status() != AcceleratorStatus::ready) {
     return std::nullopt;
   }
   double from = 0;
   Hit hit;
-  for (int i = 0; i < max_hidden && accelerator.closest(ray, from, 1e300, hit); ++i) {
+  for (int i = 0; i < max_hidden && accelerator_.closest(ray, from, 1e300, hit); ++i) {
     Pick pick;
     pick.source = hit.source;
-    pick.instances = accelerator.instances_of_closest(ray, from, 1e300);
+    pick.instances = accelerator_.instances_of_closest(ray, from, 1e300);
     pick.distance = hit.t;
     pick.point = ray.origin + ray.direction * hit.t;
     const bool is_hidden =

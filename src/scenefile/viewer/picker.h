@@ -4,11 +4,11 @@
 #include "scenefile/asset/load_assets.h"
 #include "scenefile/geometry/shapes.h"
 #include "scenefile/scene/render_scene.h"
+#include "scenefile/trace/accelerator.h"
 
 #include <glm/glm.hpp>
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <set>
 #include <vector>
@@ -40,10 +40,8 @@ Ray ray_through(const RenderCamera& camera, const glm::dvec2& point, double aspe
 class Picker {
  public:
   /// Both must outlive the Picker.
-  Picker(const RenderScene& scene, const Assets& assets);
-  ~Picker();
-  Picker(const Picker&) = delete;
-  Picker& operator=(const Picker&) = delete;
+  Picker(const RenderScene& scene, const Assets& assets)
+      : accelerator_(scene, assets, {.instances = Instances::named}) {}
 
   /// The nearest object that is not hidden; nullopt also if the scene is too deep or too large for
   /// the search. The direction of `ray` has unit length. Thread-safe.
@@ -51,8 +49,7 @@ class Picker {
                            const std::optional<PickPlanes>& planes = {}) const;
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  Accelerator accelerator_;
 };
 
 }  // namespace scenefile::viewer

@@ -9,9 +9,7 @@ namespace scenefile::viewer {
 
 std::vector<std::string> scenes_in(const std::string& folder) {
   std::vector<std::string> names = files_in(folder);
-  names.erase(std::remove_if(names.begin(), names.end(),
-                             [](const std::string& name) { return !is_scene_name(name); }),
-              names.end());
+  std::erase_if(names, [](const std::string& name) { return !is_scene_name(name); });
   std::sort(names.begin(), names.end(), natural_less);
   const std::string prefix = folder.ends_with('/') ? folder : folder + "/";
   for (std::string& name : names) {

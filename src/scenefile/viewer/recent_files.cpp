@@ -2,15 +2,11 @@
 
 #include "scenefile/io/file.h"
 #include "scenefile/io/folder.h"
-#include "scenefile/viewer/user_path.h"
 
 #include <algorithm>
+#include <sstream>
 
 namespace scenefile::viewer {
-
-std::string recent_files_path(const char* xdg_state_home, const char* home) {
-  return user_path(xdg_state_home, home, ".local/state", "recent");
-}
 
 std::vector<std::string> load_recent_files(const std::string& path) {
   constexpr std::uint64_t most = 1 << 16;
@@ -22,15 +18,13 @@ std::vector<std::string> load_recent_files(const std::string& path) {
     return {};
   }
   std::vector<std::string> files;
-  for (std::size_t begin = 0; begin < text->size();) {
-    const std::size_t end = std::min(text->find('\n', begin), text->size());
-    std::string line = text->substr(begin, end - begin);
+  std::istringstream lines(*text);
+  for (std::string line; std::getline(lines, line);) {
     if (!line.starts_with('/') || line.find('\0') != std::string::npos ||
         files.size() == max_recent_files) {
       return {};
     }
-    files.push_back(std::move(line));
-    begin = end + 1;
+    files.push_back(line);
   }
   return files;
 }
@@ -40,7 +34,7 @@ std::string add_recent_file(const std::string& path, const std::string& scene) {
     return {};
   }
   std::vector<std::string> files = load_recent_files(path);
-  files.erase(std::remove(files.begin(), files.end(), scene), files.end());
+  std::erase(files, scene);
   files.insert(files.begin(), scene);
   files.resize(std::min(files.size(), max_recent_files));
   std::string text;

@@ -9,10 +9,6 @@ namespace scenefile::viewer {
 /// The maximum number of paths in the list.
 inline constexpr std::size_t max_recent_files = 12;
 
-/// The path in the state folder: `xdg_state_home` if it is an absolute path, otherwise .local/state
-/// in `home`; empty if neither is given.
-std::string recent_files_path(const char* xdg_state_home, const char* home);
-
 /// Absolute paths, the last opened first. Empty if the file does not exist, or is damaged: one line
 /// that is not an absolute path, or more lines than are kept. A file that is too long is damaged.
 std::vector<std::string> load_recent_files(const std::string& path);

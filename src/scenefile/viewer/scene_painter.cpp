@@ -3,9 +3,11 @@
 #include "scenefile/io/parallel.h"
 #include "scenefile/view/headless.h"
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <future>
 #include <memory>
 #include <mutex>
 #include <new>
@@ -29,16 +31,13 @@ struct ScenePainter::Impl {
 
   mutable std::mutex mutex;
   std::condition_variable changed;
-  bool started = false;  // or failed
-  std::string failed;
+  std::promise<std::string> started;  // why it failed; empty: it did not
   bool ended = false;
-  std::optional<PaintJob> next;
-  std::optional<PaintJob> next_other;
+  std::array<std::optional<PaintJob>, 2> next;  // by Painting
   bool painting = false;
   bool refining = false;  // the current job
   std::atomic<bool> interrupted{false};
-  std::optional<Painted> newest;
-  std::optional<Painted> newest_other;
+  std::array<std::optional<Painted>, 2> newest;
 
   // Only used by the thread.
   std::unique_ptr<GlDevice> device;
@@ -122,12 +121,12 @@ Painted ScenePainter::Impl::paint(const PaintJob& job) {
 void ScenePainter::Impl::paint_jobs() {
   std::unique_lock lock(mutex);
   for (;;) {
-    changed.wait(lock, [&] { return ended || next || next_other; });
+    changed.wait(lock, [&] { return ended || next[0] || next[1]; });
     if (ended) {
       return;
     }
-    const bool other = !next;
-    PaintJob job = *std::exchange(other ? next_other : next, std::nullopt);
+    const std::size_t which = next[0] ? 0 : 1;
+    PaintJob job = *std::exchange(next[which], std::nullopt);
     painting = true;
     refining = job.refines;
     interrupted = false;
@@ -136,9 +135,9 @@ void ScenePainter::Impl::paint_jobs() {
     lock.lock();
     painting = false;
     if (!interrupted) {
-      (other ? newest_other : newest) = std::move(painted);
-    } else if (other && !next_other) {
-      next_other = std::move(job);
+      newest[which] = std::move(painted);
+    } else if (which == 1 && !next[1]) {
+      next[1] = std::move(job);
     }
     changed.notify_all();
     lock.unlock();
@@ -153,16 +152,12 @@ void ScenePainter::Impl::work() {
   const Result<GetProcAddress> find = context.begin();
   Result<std::unique_ptr<GlDevice>> made =
       find ? GlDevice::create(*find) : Result<std::unique_ptr<GlDevice>>(find.error());
-  {
-    const std::lock_guard lock(mutex);
-    started = true;
-    failed = error_text(made);
-    if (made) {
-      device = *std::move(made);
-      renderer = device->renderer();
-    }
+  const std::string failed = error_text(made);
+  if (made) {
+    device = *std::move(made);
+    renderer = device->renderer();
   }
-  changed.notify_all();
+  started.set_value(failed);
   if (device != nullptr) {
     paint_jobs();
   }
@@ -183,11 +178,7 @@ Result<std::unique_ptr<ScenePainter>> ScenePainter::create(PaintContext context,
     return Error{"no thread can be started to draw the scene"};
   }
   std::unique_ptr<ScenePainter> painter(new ScenePainter(std::move(impl)));
-  std::unique_lock lock(shared.mutex);
-  shared.changed.wait(lock, [&] { return shared.started; });
-  const std::string failed = shared.failed;
-  lock.unlock();
-  if (!failed.empty()) {
+  if (const std::string failed = shared.started.get_future().get(); !failed.empty()) {
     return Error{failed};
   }
   return painter;
@@ -207,35 +198,26 @@ const std::string& ScenePainter::renderer() const {
   return impl_->renderer;
 }
 
-void ScenePainter::ask(PaintJob job) {
+void ScenePainter::ask(PaintJob job, Painting which) {
   const std::lock_guard lock(impl_->mutex);
-  impl_->interrupted = impl_->interrupted || (impl_->painting && impl_->refining);
-  impl_->next = std::move(job);
+  if (which == Painting::shown && impl_->painting && impl_->refining) {
+    impl_->interrupted = true;
+  }
+  impl_->next[static_cast<std::size_t>(which)] = std::move(job);
   impl_->changed.notify_all();
 }
 
-void ScenePainter::ask_other(PaintJob job) {
-  const std::lock_guard lock(impl_->mutex);
-  impl_->next_other = std::move(job);
-  impl_->changed.notify_all();
-}
-
-std::optional<Painted> ScenePainter::take(bool wait) {
+std::optional<Painted> ScenePainter::take(Painting which, bool wait) {
   std::unique_lock lock(impl_->mutex);
   if (wait) {
-    impl_->changed.wait(lock, [&] { return !impl_->painting && !impl_->next; });
+    impl_->changed.wait(lock, [&] { return !impl_->painting && !impl_->next[0]; });
   }
-  return std::exchange(impl_->newest, std::nullopt);
-}
-
-std::optional<Painted> ScenePainter::take_other() {
-  const std::lock_guard lock(impl_->mutex);
-  return std::exchange(impl_->newest_other, std::nullopt);
+  return std::exchange(impl_->newest[static_cast<std::size_t>(which)], std::nullopt);
 }
 
 bool ScenePainter::busy() const {
   const std::lock_guard lock(impl_->mutex);
-  return impl_->painting || impl_->next || impl_->next_other;
+  return impl_->painting || impl_->next[0] || impl_->next[1];
 }
 
 }  // namespace scenefile::viewer

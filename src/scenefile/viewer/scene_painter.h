@@ -39,6 +39,9 @@ struct PaintRecipe {
   friend bool operator==(const PaintRecipe&, const PaintRecipe&) = default;
 };
 
+/// Two pictures can be requested independently of each other.
+enum class Painting : std::uint8_t { shown, compared };
+
 struct PaintJob {
   PaintRecipe recipe;
   std::shared_ptr<const OpenedScene> scene;
@@ -69,17 +72,14 @@ class ScenePainter {
   /// The driver's name of the renderer.
   const std::string& renderer() const;
 
-  /// Requests a picture, which is drawn next. Replaces an earlier request that is still waiting;
-  /// the current picture is interrupted if it only refines.
-  void ask(PaintJob job);
-  /// Requests a second picture, which is drawn after that of ask() and returned by take_other().
-  /// Replaces an earlier request of this kind that is still waiting.
-  void ask_other(PaintJob job);
+  /// Requests a picture; `compared` is drawn after `shown`. Replaces an earlier request of its kind
+  /// that is still waiting; a new one for `shown` interrupts the current picture if that only
+  /// refines.
+  void ask(PaintJob job, Painting which = Painting::shown);
 
-  /// The newest picture that was not taken yet, if any. `wait`: after all that was asked for is
-  /// drawn.
-  std::optional<Painted> take(bool wait = false);
-  std::optional<Painted> take_other();
+  /// The newest picture of its kind that was not taken yet, if any. `wait`: after what was asked
+  /// for `shown` is drawn.
+  std::optional<Painted> take(Painting which = Painting::shown, bool wait = false);
 
   /// Whether a picture is being drawn, or waits to be.
   bool busy() const;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <sstream>
 
 namespace scenefile::viewer {
 
@@ -185,13 +186,11 @@ class ScriptParser {
 Script parse_script(std::string_view text) {
   ScriptParser parser;
   std::uint32_t number = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string_view line = text.substr(begin, end - begin);
-    begin = end + 1;
+  std::istringstream lines{std::string(text)};
+  for (std::string line; std::getline(lines, line);) {
     ++number;
     const std::size_t first = line.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos || line[first] == '#') {
+    if (first == std::string::npos || line[first] == '#') {
       continue;
     }
     if (!parser.parse(line, number)) {

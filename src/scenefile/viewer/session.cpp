@@ -102,38 +102,32 @@ bool tick_flicker(Session& session) {
   return std::exchange(session.flicker_right, right) != right;
 }
 
-// From the assignment's handout: W A S D move along the view, Space and Control along the world's y
-// axis, at 5 world units per second.
-void fly_as_assigned(Session& session, double seconds) {
-  constexpr double speed = 5;
-  const auto down = [&](const char* name) { return session.held.contains(name) ? 1.0 : 0.0; };
-  const glm::dvec3 direction{down("D") - down("A"), 0, down("W") - down("S")};
-  const double rise = (down("Space") - down("Control")) * speed * seconds;
-  if (direction != glm::dvec3(0) || rise != 0) {
-    ViewCamera camera = moved(session.camera, direction * (speed * seconds));
-    camera.position.y += rise;
-    camera.pivot.y += rise;
-    set_camera(session, camera);
-  }
-}
-
 bool tick_flight(Session& session, double seconds) {
   if (session.held.empty() || session.shown == nullptr) {
     return false;
   }
+  const auto pressed = [&](const char* up, const char* down) {
+    return (session.held.contains(up) ? 1.0 : 0.0) - (session.held.contains(down) ? 1.0 : 0.0);
+  };
+  glm::dvec3 by{pressed("D", "A"), pressed("E", "Q"), pressed("W", "S")};
+  double rise = 0;
+  double speed = 5;
   if (session.settings.assignment_keys) {
-    fly_as_assigned(session, std::min(seconds, 0.1));
-    return true;
+    // From its handout: W A S D move along the view, Space and Control along the world's y axis, at
+    // 5 world units per second.
+    rise = pressed("Space", "Control");
+    by.y = 0;
+  } else {
+    const Bounds& box = session.shown->bounds;
+    const double size = box.empty() ? 1 : glm::length(box.max - box.min);
+    const double reach = glm::length(session.camera.pivot - session.camera.position);
+    speed = 0.5 * std::clamp(reach, 0.02 * size, size) * (session.fast ? 4 : 1);
   }
-  const auto down = [&](const char* name) { return session.held.contains(name) ? 1.0 : 0.0; };
-  const glm::dvec3 direction{down("D") - down("A"), down("E") - down("Q"), down("W") - down("S")};
-  const Bounds& box = session.shown->bounds;
-  const double size = box.empty() ? 1 : glm::length(box.max - box.min);
-  const double reach = glm::length(session.camera.pivot - session.camera.position);
-  const double speed = 0.5 * std::clamp(reach, 0.02 * size, size) * (session.fast ? 4 : 1);
-  if (direction != glm::dvec3(0)) {
-    set_camera(session, moved(session.camera, direction * (speed * std::min(seconds, 0.1))));
-  }
+  const double distance = speed * std::min(seconds, 0.1);
+  ViewCamera camera = moved(session.camera, by * distance);
+  camera.position.y += rise * distance;
+  camera.pivot.y += rise * distance;
+  set_camera(session, camera);
   return true;
 }
 

@@ -61,7 +61,6 @@ struct SceneOnShow {
   OpenedScene opened;
   std::uint64_t text_version = 0;  ///< Editing::version of its text
   bool from_file = false;          ///< its text was read from the file
-  Camera camera;                   ///< of the file, or the default camera
   Outline outline;
   std::vector<glm::vec3> colors;  ///< of the materials of primitives, by source; for the outline
   Bounds bounds;

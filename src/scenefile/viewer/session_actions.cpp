@@ -3,7 +3,6 @@
 #include "scenefile/base/text.h"
 #include "scenefile/io/folder.h"
 #include "scenefile/viewer/collect_views.h"
-#include "scenefile/viewer/copied_text.h"
 #include "scenefile/viewer/playlist.h"
 #include "scenefile/viewer/session.h"
 
@@ -39,7 +38,7 @@ void use_view(Session& session) {
     say(session, "this scene cannot be edited: " + session.editing.refusal, true);
     return;
   }
-  const Camera camera = camera_of(session.camera, session.shown->camera);
+  const Camera camera = camera_of(session.camera, session.shown->opened.camera());
   const Result<Edit> edit = set_camera(*document, camera);
   if (edit && edit->changes.empty()) {
     say(session, scene_name(session) + " already has this camera");
@@ -112,12 +111,11 @@ void select_neighbor(Session& session) {
 
 // Adds the view to the path of the scene's views, or removes the last one.
 template <bool adds>
-void change_views(Session& session) {
+void change_path(Session& session) {
   const std::string path = views_file(session.path);
-  const Limits& limits = session.setup.read.limits;
+  const Camera camera = camera_of(session.camera, session.shown->opened.camera());
   const Result<std::size_t> views =
-      adds ? collect_view(path, camera_of(session.camera, session.shown->camera), limits)
-           : drop_view(path, limits);
+      change_views(path, adds ? std::optional(camera) : std::nullopt, session.setup.read.limits);
   if (!views) {
     say(session, fmt::format("cannot change the path of views: {}", views.error().text), true);
   } else {
@@ -182,12 +180,51 @@ void scale_text(Session& session, double factor) {
       static_cast<float>(std::clamp(session.settings.text_scale * factor, 0.5, 4.0));
 }
 
-void copy(Session& session) {
-  CopiedText copied = text_to_copy(session);
-  if (!copied.text.empty()) {
-    session.copied = std::move(copied.text);
-    say(session, "copied: " + copied.what);
+std::string vector_text(const glm::dvec3& v) {
+  return fmt::format("{:.6g} {:.6g} {:.6g}", v.x, v.y, v.z);
+}
+
+std::string camera_text(const ViewCamera& camera) {
+  return fmt::format("pos {}\nlook {}\nup {}\nheightangle {:.6g}\n", vector_text(camera.position),
+                     vector_text(camera.pivot - camera.position), vector_text(camera.up),
+                     camera.height_angle_deg);
+}
+
+std::string selection_text(Session& session) {
+  const OutlineRow& row = session.shown->outline.rows[*session.selected];
+  std::string text = row.label;
+  if (row.location.known()) {
+    text += fmt::format(" {}:{}:{}", session.shown->opened.path, row.location.line,
+                        row.location.column);
   }
+  text += '\n';
+  if (!session.selected_path.empty()) {
+    text += session.selected_path + '\n';
+  }
+  if (const std::optional<ItemId> item = selected_item(session)) {
+    for (const FieldView& field : session.editing.document->fields(*item)) {
+      if (field.written) {
+        text += field.name;
+        for (const FieldPart& part : field.parts) {
+          text += ' ' + part.value;
+        }
+        text += '\n';
+      }
+    }
+  }
+  return text;
+}
+
+// The readout of the clicked pixel, or the selection and its fields, or the window's camera with
+// the names of a scene file.
+void copy(Session& session) {
+  const bool pixel = session.readout.at.has_value();
+  session.copied = pixel              ? readout_text(session)
+                   : session.selected ? selection_text(session)
+                                      : camera_text(session.camera);
+  say(session, fmt::format("copied: the {}", pixel              ? "pixel"
+                                             : session.selected ? "selection"
+                                                                : "camera"));
 }
 
 void escape(Session& session) {
@@ -263,8 +300,9 @@ std::string_view no_scene(const Session& session) {
   return session.shown == nullptr ? "no scene is open" : "";
 }
 std::string_view not_selected(const Session& session) {
-  const bool selects = session.selected || session.editing.part;
-  return session.shown == nullptr ? no_scene(session) : selects ? "" : "nothing is selected";
+  return session.shown == nullptr ? no_scene(session)
+         : session.selected       ? ""
+                                  : "nothing is selected";
 }
 std::string_view not_done(const Session& session) {
   const bool done = !session.editing.done.empty() || session.editing.progress;
@@ -353,9 +391,9 @@ constexpr std::array action_rows{
     row(A::side_top, "Ctrl+7", "Camera", "from above", look_from<Side::top>, no_scene),
     row(A::side_bottom, "Ctrl+Shift+7", "Camera", "from below", look_from<Side::bottom>, no_scene),
     row(A::use_view, "C", "Camera", "make this view the scene's camera", use_view, no_scene),
-    row(A::collect_view, "V", "Camera", "add the view to a path for frames", change_views<true>,
+    row(A::collect_view, "V", "Camera", "add the view to a path for frames", change_path<true>,
         no_scene),
-    row(A::drop_view, "Shift+V", "Camera", "remove the last view of the path", change_views<false>,
+    row(A::drop_view, "Shift+V", "Camera", "remove the last view of the path", change_path<false>,
         no_scene),
     row(A::undo, "Ctrl+Z", "Edit", "undo the last edit", undo_edit, not_done),
     row(A::redo, "Ctrl+Shift+Z", "Edit", "redo it", redo_edit, not_undone),
@@ -381,7 +419,7 @@ constexpr std::array action_rows{
     row(A::row_below, "Down", "Edit", "select the row below", select_neighbor<1>, no_scene),
     row(
         A::edit_fields, "Enter", "Edit", "go to the fields with the keyboard",
-        [](Session& s) { s.keyboard_in_fields = s.selected.has_value(); }, not_selected),
+        [](Session& s) { s.keyboard_in_fields = true; }, not_selected),
     mode_row<DrawMode::shaded>(A::shaded, "1", "shaded"),
     mode_row<DrawMode::wireframe>(A::wireframe, "2", "wireframe"),
     mode_row<DrawMode::normals>(A::normals, "3", "normals"),
@@ -446,7 +484,7 @@ constexpr std::array action_rows{
     row(A::next_scene, "Page Down", "Scene", "the next scene in the folder", go_to_neighbor<1>),
     row(A::previous_scene, "Page Up", "Scene", "the previous scene in the folder",
         go_to_neighbor<-1>),
-    row(A::copy, "Ctrl+C", "Window", "copy pixel, selection or camera", copy),
+    row(A::copy, "Ctrl+C", "Window", "copy pixel, selection or camera", copy, no_scene),
     flag_row<&Settings::outline>(A::outline, "O", "Window", "outline"),
     flag_row<&Settings::messages>(A::messages, "P", "Window", "messages"),
     flag_row<&Settings::statistics>(A::statistics, "I", "Window", "figures"),

@@ -41,7 +41,6 @@ std::shared_ptr<SceneOnShow> load(const LoadScene& load_scene, const SceneReques
   scene->text_version = version;
   scene->from_file = !request.text;
   const OpenedScene& opened = scene->opened;
-  scene->camera = opened.written.camera.value_or(Camera{});
   if (opened.usable()) {
     scene->outline = make_outline(opened.written, opened.ready);
     scene->colors = colors_of(opened.ready);
@@ -83,82 +82,55 @@ void watch_files(Session& session, const SceneOnShow& scene) {
 }
 
 ViewCamera home_of(const SceneOnShow& scene) {
-  ViewCamera home = view_of(scene.camera, pivot_distance(scene.camera, scene.bounds));
+  const Camera camera = scene.opened.camera();
+  ViewCamera home = view_of(camera, pivot_distance(camera, scene.bounds));
   const Ray middle = ray_through(render_camera(home), {0.5, 0.5}, 1);
   if (const std::optional<Pick> pick = scene.picker->pick(middle)) {
-    home = view_of(scene.camera, pick->distance);
+    home = view_of(camera, pick->distance);
   }
   return home;
 }
 
-/// Maps rows and sources of one version of a file to the next.
-class Successors {
- public:
-  Successors(const SceneOnShow& before, const SceneOnShow& after)
-      : before_(before), after_(after), rows_(match_rows(before.outline, after.outline)) {}
-
-  std::uint32_t row(std::uint32_t row) const { return rows_[row]; }
-  std::uint32_t source(std::uint32_t source) const {
-    const std::uint32_t old = before_.outline.row_of_source[source];
-    const std::uint32_t now = old == no_index ? no_index : rows_[old];
-    return now == no_index ? no_index : after_.outline.rows[now].source;
-  }
-  template <typename Map>
-  std::set<std::uint32_t> all(const std::set<std::uint32_t>& old, const Map& map) const {
-    std::set<std::uint32_t> now;
-    for (const std::uint32_t one : old) {
-      if (map(one) != no_index) {
-        now.insert(map(one));
-      }
-    }
-    return now;
-  }
-
- private:
-  const SceneOnShow& before_;
-  const SceneOnShow& after_;
-  std::vector<std::uint32_t> rows_;
-};
-
-void keep_selection(Session& session, const Successors& successors) {
-  if (!session.selected) {
-    return;
-  }
-  const std::uint32_t row = successors.row(*session.selected);
-  std::vector<std::uint32_t> copy;
-  for (const std::uint32_t source : session.selected_copy) {
-    copy.push_back(successors.source(source));
-  }
-  const bool whole = std::find(copy.begin(), copy.end(), no_index) == copy.end();
-  session.selected = row == no_index ? std::nullopt : std::optional(row);
-  session.selected_copy = row != no_index && whole ? copy : std::vector<std::uint32_t>();
-}
-
-void keep_light(Session& session, const Successors& successors, const SceneOnShow& before,
-                const SceneOnShow& after) {
-  if (!session.only_light) {
-    return;
-  }
-  const std::vector<RenderLight>& lights = after.opened.ready.scene.lights;
-  const std::uint32_t source =
-      successors.source(before.opened.ready.scene.lights[*session.only_light].source);
-  const auto found = std::find_if(lights.begin(), lights.end(),
-                                  [&](const RenderLight& light) { return light.source == source; });
-  session.only_light.reset();
-  if (source != no_index && found != lights.end()) {
-    session.only_light = static_cast<std::uint32_t>(found - lights.begin());
-  }
-}
-
 // A new version of the same file: keeps the state of unchanged objects.
 void keep_state(Session& session, const SceneOnShow& before, const SceneOnShow& after) {
-  const Successors successors(before, after);
-  keep_selection(session, successors);
-  keep_light(session, successors, before, after);
-  session.open_rows =
-      successors.all(session.open_rows, [&](std::uint32_t row) { return successors.row(row); });
-  session.hidden = successors.all(session.hidden,
-                                  [&](std::uint32_t source) { return successors.source(source); });
+  const std::vector<std::uint32_t> rows = match_rows(before.outline, after.outline);
+  const auto row_of = [&](std::uint32_t row) { return rows[row]; };
+  const auto source_of = [&](std::uint32_t source) {
+    const std::uint32_t old = before.outline.row_of_source[source];
+    const std::uint32_t now = old == no_index ? no_index : rows[old];
+    return now == no_index ? no_index : after.outline.rows[now].source;
+  };
+  const auto keep_all = [](std::set<std::uint32_t>& kept, const auto& successor) {
+    std::set<std::uint32_t> now;
+    for (const std::uint32_t one : kept) {
+      now.insert(successor(one));
+    }
+    now.erase(no_index);
+    kept = std::move(now);
+  };
+  keep_all(session.open_rows, row_of);
+  keep_all(session.hidden, source_of);
+  if (session.selected) {
+    const std::uint32_t row = row_of(*session.selected);
+    session.selected = row == no_index ? std::nullopt : std::optional(row);
+  }
+  std::vector<std::uint32_t>& copy = session.selected_copy;
+  std::transform(copy.begin(), copy.end(), copy.begin(), source_of);
+  if (!session.selected || std::find(copy.begin(), copy.end(), no_index) != copy.end()) {
+    copy.clear();
+  }
+  if (session.only_light) {
+    const std::vector<RenderLight>& lights = after.opened.ready.scene.lights;
+    const std::uint32_t source =
+        source_of(before.opened.ready.scene.lights[*session.only_light].source);
+    const auto found = std::find_if(lights.begin(), lights.end(), [&](const RenderLight& light) {
+      return light.source == source;
+    });
+    session.only_light.reset();
+    if (source != no_index && found != lights.end()) {
+      session.only_light = static_cast<std::uint32_t>(found - lights.begin());
+    }
+  }
 }
 
 void start_state(Session& session) {

@@ -3,13 +3,13 @@
 #include "scenefile/base/number.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/folder.h"
-#include "scenefile/viewer/user_path.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 #include <string_view>
 
 namespace scenefile::viewer {
@@ -96,20 +96,26 @@ std::string settings_text(const Settings& settings) {
 
 bool parse_settings(const std::string& text, Settings& settings) {
   Settings result = settings;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string_view line = trimmed(std::string_view(text).substr(begin, end - begin));
+  std::istringstream lines(text);
+  for (std::string written; std::getline(lines, written);) {
+    const std::string_view line = trimmed(written);
     if (!line.empty() && line.front() != '#' && !parse_line(line, result)) {
       return false;
     }
-    begin = end + 1;
   }
   settings = result;
   return true;
 }
 
-std::string settings_path(const char* xdg_config_home, const char* home) {
-  return user_path(xdg_config_home, home, ".config", "view.ini");
+std::string user_path(const char* xdg, const char* home, std::string_view usual,
+                      std::string_view name) {
+  if (xdg != nullptr && *xdg == '/') {
+    return fmt::format("{}/scenefile/{}", xdg, name);
+  }
+  if (home == nullptr || *home == '\0') {
+    return {};
+  }
+  return fmt::format("{}/{}/scenefile/{}", home, usual, name);
 }
 
 Settings load_settings(const std::string& path, std::string& note) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace scenefile::viewer {
 
@@ -32,9 +33,12 @@ std::string settings_text(const Settings& settings);
 /// which a newer version may have written. Clamps values to valid ranges.
 bool parse_settings(const std::string& text, Settings& settings);
 
-/// The path in the configuration folder: `xdg_config_home` if it is an absolute path, otherwise
-/// .config in `home`; empty if neither is given.
-std::string settings_path(const char* xdg_config_home, const char* home);
+/// Where the window keeps files of the user, by the XDG base directory specification: the path of
+/// the file `name` in the folder scenefile of `xdg`, the value of a variable such as
+/// XDG_CONFIG_HOME, if that is an absolute path; otherwise in `usual` (such as ".config") of
+/// `home`. Empty if neither is given.
+std::string user_path(const char* xdg, const char* home, std::string_view usual,
+                      std::string_view name);
 
 /// Reads the settings from the file; defaults if it does not exist. `note`, one line, says if the
 /// file was damaged and ignored.

@@ -11,8 +11,8 @@
 
 namespace scenefile::viewer {
 
-bool list_choices(const std::string& folder, std::vector<Choice>& choices) {
-  choices.clear();
+std::vector<Choice> list_choices(const std::string& folder) {
+  std::vector<Choice> choices;
   for (FolderEntry& entry : entries_of(folder)) {
     if (is_hidden_name(entry.name)) {
       continue;
@@ -28,9 +28,7 @@ bool list_choices(const std::string& folder, std::vector<Choice>& choices) {
   std::sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) {
     return a.kind != b.kind ? a.kind < b.kind : natural_less(a.name, b.name);
   });
-  const bool fits = choices.size() <= max_choices;
-  choices.resize(std::min(choices.size(), max_choices));
-  return fits;
+  return choices;
 }
 
 void go_to_folder(StartPanel& panel, const std::string& folder) {
@@ -38,7 +36,7 @@ void go_to_folder(StartPanel& panel, const std::string& folder) {
   while (panel.folder.size() > 1 && (panel.folder.ends_with('/') || panel.folder.ends_with("/."))) {
     panel.folder.pop_back();
   }
-  panel.cut_off = !list_choices(panel.folder, panel.choices);
+  panel.choices = list_choices(panel.folder);
 }
 
 std::string typed_path(const StartPanel& panel, const char* home) {

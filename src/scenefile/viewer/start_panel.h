@@ -16,14 +16,10 @@ struct Choice {
   std::string path;
 };
 
-/// A longer list is cut off.
-inline constexpr std::size_t max_choices = 2000;
-
 struct StartPanel {
   bool open = false;
   std::string folder;               ///< absolute
   std::vector<Choice> choices;      ///< the contents of the folder: folders, scenes, pictures
-  bool cut_off = false;             ///< the folder contains more than `max_choices`
   std::vector<std::string> recent;  ///< absolute paths
   bool appears = false;             ///< was opened since the last frame
   std::string typed;                ///< the path in the field
@@ -31,8 +27,8 @@ struct StartPanel {
 };
 
 /// The contents of a folder: folders, scenes and pictures, each in natural order. Names that start
-/// with a dot are left out. Returns whether all entries fit.
-bool list_choices(const std::string& folder, std::vector<Choice>& choices);
+/// with a dot are left out.
+std::vector<Choice> list_choices(const std::string& folder);
 
 /// Lists this folder; an empty path is the working directory.
 void go_to_folder(StartPanel& panel, const std::string& folder);

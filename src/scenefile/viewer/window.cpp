@@ -102,19 +102,6 @@ double screen_density(GLFWwindow* window) {
   return density > 0 ? static_cast<double>(density) : 1;
 }
 
-struct GlfwEnd {
-  bool due = false;
-
-  GlfwEnd() = default;
-  GlfwEnd(const GlfwEnd&) = delete;
-  GlfwEnd& operator=(const GlfwEnd&) = delete;
-  ~GlfwEnd() {
-    if (due) {
-      glfwTerminate();
-    }
-  }
-};
-
 /// GLFW, ImGui and the canvas, from opening to closing the window.
 class Window {
  public:
@@ -143,7 +130,6 @@ class Window {
   void on_pointer(const glm::dvec2& at);
   void on_button(int button, bool down, const KeyPress& with);
   void on_wheel(double steps, bool into_picture);
-  void on_drop(const std::vector<std::string>& paths);
   void stir() { frames_due_ = frames_after_event; }
 
   bool scripted() const { return !options_.script.steps.empty(); }
@@ -166,7 +152,7 @@ class Window {
 
   const WindowOptions& options_;
   std::atomic<bool> awake_{false};  // whether GLFW can be woken
-  GlfwEnd glfw_;                    // after the session's threads, which wake the window
+  std::shared_ptr<void> glfw_;      // ends after the session's threads, which wake the window
   Session session_;
   GLFWwindow* window_ = nullptr;
   GLFWwindow* painter_window_ = nullptr;  // never shown; for the context of the painter
@@ -281,10 +267,10 @@ WindowResult Window::open() {
   }
   open_files();
   glfwSetErrorCallback(remember_error);
-  glfw_.due = glfwInit() == GLFW_TRUE;
-  if (!glfw_.due) {
+  if (glfwInit() != GLFW_TRUE) {
     return {WindowStatus::no_display, "no window can be opened: " + last_glfw_error};
   }
+  glfw_ = std::shared_ptr<void>(nullptr, [](void*) { glfwTerminate(); });
   awake_ = true;
   if (!create_window()) {
     return {WindowStatus::failed, "no window with OpenGL 4.1 can be opened: " + last_glfw_error};
@@ -345,7 +331,8 @@ void Window::install_callbacks() {
   glfwSetCursorEnterCallback(window_, ImGui_ImplGlfw_CursorEnterCallback);
   glfwSetWindowFocusCallback(window_, ImGui_ImplGlfw_WindowFocusCallback);
   glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
-    of(w).on_drop({paths, paths + count});
+    of(w).stir();
+    drop(of(w).session_, {paths, paths + count});
   });
   glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { of(w).stir(); });
   glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) { of(w).stir(); });
@@ -483,11 +470,6 @@ void Window::on_wheel(double steps, bool into_picture) {
   }
 }
 
-void Window::on_drop(const std::vector<std::string>& paths) {
-  stir();
-  drop(session_, paths);
-}
-
 // Replaces a file like an editor that renames a new one into place.
 bool Window::copy_file(const ScriptStep& step) {
   const Result<std::string> bytes = read_file(step.text, options_.setup.read.limits.file_bytes);
@@ -531,7 +513,7 @@ bool Window::do_step(const ScriptStep& step) {
       on_wheel(step.y, false);
       return true;
     case StepKind::drop:
-      on_drop({step.text});
+      drop(session_, {step.text});
       return true;
     case StepKind::frames:
       return step_frames_ >= step.number;
@@ -639,15 +621,7 @@ GuiFrame Window::gui_frame() const {
   frame.scale = gui_scale_;
   frame.frame_seconds = frame_seconds_;
   frame.memory = memory_in_use();
-  frame.renderer = canvas_->renderer();
-  frame.drawn = canvas_->stats();
-  frame.scene_seconds = canvas_->seconds();
-  frame.scene = canvas_->drawn().name();
-  frame.traced = canvas_->traced().name();
-  frame.reference = canvas_->reference().name();
-  frame.mine = canvas_->mine().name();
-  frame.difference = canvas_->difference().name();
-  frame.flip = canvas_->flip().name();
+  canvas_->describe(frame);
   return frame;
 }
 
@@ -750,7 +724,7 @@ WindowResult Window::run() {
       stir();
     }
     if (scripted()) {
-      log_.end(canvas_->drawn().name() != 0 || session_.traced,
+      log_.end(!session_.drawn.empty() || session_.traced,
                session_.traced && session_.traced->complete);
     }
   }

@@ -1,7 +1,6 @@
 #include "scenefile/viewer/session.h"
 
 #include "scenefile/base/text.h"
-#include "scenefile/explain/object_names.h"
 #include "scenefile/io/folder.h"
 #include "scenefile/view/draw_options.h"
 #include "scenefile/viewer/hidden.h"
@@ -310,11 +309,9 @@ void describe_selection(Session& session) {
   if (!session.selected || session.shown == nullptr) {
     return;
   }
-  const OpenedScene& opened = session.shown->opened;
   const OutlineRow& row = session.shown->outline.rows[*session.selected];
   if (row.source != no_index && row.kind != RowKind::light) {
-    session.selected_path =
-        ObjectNames(opened.written, opened.ready.sources).text({row.source, session.selected_copy});
+    session.selected_path = session.shown->names->text({row.source, session.selected_copy});
   }
 }
 

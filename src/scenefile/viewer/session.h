@@ -5,6 +5,7 @@
 // Positions are in pixels of the window in mouse coordinates (screen coordinates), from its top
 // left. Times are seconds of any monotonic clock.
 
+#include "scenefile/explain/object_names.h"
 #include "scenefile/format/read_scene.h"
 #include "scenefile/trace/render.h"
 #include "scenefile/view/draw.h"
@@ -62,7 +63,8 @@ struct SceneOnShow {
   std::uint64_t text_version = 0;  ///< Editing::version of its text
   bool from_file = false;          ///< its text was read from the file
   Outline outline;
-  std::vector<glm::vec3> colors;  ///< of the materials of primitives, by source; for the outline
+  std::optional<ObjectNames> names;  ///< of its objects
+  std::vector<glm::vec3> colors;     ///< of the materials of primitives, by source; for the outline
   Bounds bounds;
   std::unique_ptr<const Picker> picker;
 };

@@ -43,6 +43,7 @@ std::shared_ptr<SceneOnShow> load(const LoadScene& load_scene, const SceneReques
   const OpenedScene& opened = scene->opened;
   if (opened.usable()) {
     scene->outline = make_outline(opened.written, opened.ready);
+    scene->names.emplace(opened.written, opened.ready.sources);
     scene->colors = colors_of(opened.ready);
     scene->bounds = scene_bounds(opened.ready.scene, opened.assets);
     scene->picker = std::make_unique<Picker>(opened.ready.scene, opened.assets);

@@ -1,7 +1,6 @@
 // The clicked pixel.
 
 #include "scenefile/base/number.h"
-#include "scenefile/explain/object_names.h"
 #include "scenefile/viewer/hidden.h"
 #include "scenefile/viewer/session.h"
 
@@ -159,7 +158,6 @@ std::optional<std::uint32_t> row_named_in(const Session& session, std::string_vi
   const double number =
       parse_number(line.substr(at + mark.size(), line.find(')', at) - at - mark.size())).value;
   const OpenedScene& opened = session.shown->opened;
-  const ObjectNames names(opened.written, opened.ready.sources);
   const std::vector<OutlineRow>& rows = session.shown->outline.rows;
   for (std::uint32_t i = 0; i < rows.size(); ++i) {
     const OutlineRow& row = rows[i];
@@ -171,7 +169,7 @@ std::optional<std::uint32_t> row_named_in(const Session& session, std::string_vi
         row.kind == RowKind::light
             ? fmt::format("{} light",
                           word_of(opened.written.nodes[source.node].lights[source.index].type))
-            : names.at(row.source).path;
+            : session.shown->names->at(row.source).path;
     if (name.ends_with(own)) {
       return i;
     }

@@ -1,6 +1,7 @@
 // Reading and writing the session's files.
 
 #include "scenefile/asset/image_file.h"
+#include "scenefile/base/text.h"
 #include "scenefile/format/recognize.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/folder.h"

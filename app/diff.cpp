@@ -95,15 +95,16 @@ std::string measures_text(const PictureMeasures& m, int threshold) {
 
 // Explains a pixel of the second picture with what was found.
 std::string explain_command(const Options& options, const glm::ivec2& pixel) {
-  static constexpr std::array<std::string_view, 8> same{
-      "--profile", "--features",   "--mode",          "--max-depth",
-      "--compat",  "--asset-root", "--allow-outside", "--layer"};
+  static constexpr std::string_view same[] = {
+      "--profile",    "--features",      "--mode",     "--max-depth",  "--compat",
+      "--asset-root", "--allow-outside", "--layer",    "--parameters", "--near",
+      "--far",        "--filter",        "--milestone"};
   const auto word = [](const std::string& text) { return escaped(shell_word(text), 4096); };
   std::string command = fmt::format("scenefile explain {} --pixel {},{} --reference {} --mine {}",
                                     word(options.scene), pixel.x, pixel.y,
                                     word(options.arguments[0]), word(options.arguments[1]));
   for (const auto& [row, value] : options.given) {
-    if (std::find(same.begin(), same.end(), row->name) != same.end()) {
+    if (std::find(std::begin(same), std::end(same), row->name) != std::end(same)) {
       command += fmt::format(" {}", row->name) + (value.empty() ? "" : ' ' + word(value));
     }
   }

@@ -89,7 +89,7 @@ Result<PictureComparison> compare_whole(Options& options, LoadedPicture& referen
                      : found.broken.front(),
                  ErrorKind::input};
   }
-  if (!found.drawn_with.empty()) {
+  if (!found.drawn_with.empty() && !found.realtime) {
     options.render = found.drawn_options;
   }
   options.render.width = found.asked_of.x;
@@ -114,7 +114,7 @@ ExitCode run_explain(const Options& given, Context& context) {
   if (options.seconds > 0 && !was_given(options, "--samples")) {
     options.render.samples = path_samples;  // the time is for the truth
   }
-  const std::optional<RealtimeOptions> realtime = realtime_options(options);
+  std::optional<RealtimeOptions> realtime = realtime_options(options);
   if (realtime && status_of(scene) == ExitCode::fine) {
     check_realtime(*realtime, scene);
   }
@@ -140,6 +140,7 @@ ExitCode run_explain(const Options& given, Context& context) {
       return failed(outcome_of(compared.error(), context));
     }
     found = *std::move(compared);
+    realtime = found->realtime;
   }
   context.phase = "tracing";
   Result<ExplainReport> report =

@@ -4,7 +4,7 @@
 #include "app/output.h"
 #include "app/scene_files.h"
 #include "scenefile/base/text.h"
-#include "scenefile/format/layout.h"
+#include "scenefile/edit/format_text.h"
 #include "scenefile/io/file.h"
 #include "scenefile/verbs/scene_json.h"
 

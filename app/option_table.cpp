@@ -581,7 +581,7 @@ constexpr std::array comparison_options{
               for_explain,
               set_name<&Options::reference>,
               "",
-              {.gl = false, .path = false}},
+              {.path = false}},
     OptionRow{"--mine", "", "PICTURE",
               "Your picture of the scene: compare its values with ours or the reference, and find "
               "the mistake in our terms that gives them; explain --mode path compares the pixels "

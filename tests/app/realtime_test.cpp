@@ -175,6 +175,15 @@ TEST_F(RealtimePictures, DiffNamesTheCause) {
   EXPECT_THAT(run.out, HasSubstr("the two are swapped"));
   EXPECT_THAT(run.out, HasSubstr("reference: as drawn with --profile realtime --parameters 3,6 "
                                  "--milestone action"));
+  const std::size_t at = run.out.find("--pixel ");
+  ASSERT_NE(at, run.out.npos) << run.out;
+  const std::string pixel = run.out.substr(at + 8, run.out.find(' ', at + 8) - at - 8);
+  const ProgramRun explained =
+      run_program({"explain", scene, "--pixel", pixel, "--reference", folder.path("right.png"),
+                   "--mine", folder.path("wrong.png"), "--profile", "realtime"});
+  EXPECT_EQ(explained.status, 0) << explained.err;
+  EXPECT_THAT(explained.out, HasSubstr("the two are swapped"));
+  EXPECT_THAT(explained.out, HasSubstr("as yours"));
 }
 
 TEST_F(RealtimePictures, GradeReportsErrorsInTheTableOfSettings) {

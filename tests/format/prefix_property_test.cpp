@@ -2,7 +2,7 @@
 
 #include "format/reading.h"
 #include "format/write_random_scene.h"
-#include "scenefile/format/layout.h"
+#include "scenefile/edit/format_text.h"
 #include "scenefile/format/write_scene.h"
 
 #include <gtest/gtest.h>

@@ -8,6 +8,7 @@
 #include "student/student_gl.h"
 #include "view/software_realtime.h"
 
+#include <glm/glm.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -107,6 +108,35 @@ TEST(RealtimeCauses, NamesMistakes) {
         std::pair("lights-replace", "lights"), std::pair("viewport-points", "viewport"),
         std::pair("specular-blinn", "blinn"), std::pair("picture-upside-down", "vertical-flip")}) {
     EXPECT_EQ(fixture.named(panel, mistake), cause) << mistake;
+  }
+}
+
+// The pixel that is asked for, drawn with the mistakes, is that of the picture.
+TEST(RealtimeCauses, DrawsAPixelWithTheMistakes) {
+  const Fixture fixture;
+  const RealtimeOptions panel = panel_of(Milestone::action);
+  const Texture right = fixture.right(panel);
+  for (const std::string mistake : {"lights-no-point", "gouraud", "normals-by-model",
+                                    "specular-blinn", "picture-upside-down", "caps-inside-out"}) {
+    const Texture test = fixture.student(panel, mistake);
+    RealtimeView view = fixture.view(panel);
+    for (int y = 8; y < height; y += 5) {
+      for (int x = 8; x < width; x += 5) {
+        const auto color = [&](const Texture& t) {
+          const std::uint8_t* p = t.texel(x, y);
+          return glm::dvec3(p[0], p[1], p[2]);
+        };
+        if (glm::distance(color(test), color(right)) > 15) {
+          view.asked = glm::dvec2(x, y) + 0.5;
+          const CauseReport report = find_realtime_causes(right, test, view);
+          ASSERT_TRUE(report.asked) << mistake;
+          EXPECT_LT(glm::distance(report.asked->color, color(test)), 4) << mistake;
+          y = height;
+          break;
+        }
+      }
+    }
+    EXPECT_TRUE(view.asked) << mistake;
   }
 }
 

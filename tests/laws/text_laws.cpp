@@ -1,5 +1,5 @@
 #include "laws/law.h"
-#include "scenefile/format/layout.h"
+#include "scenefile/edit/format_text.h"
 
 #include <fmt/format.h>
 

@@ -120,7 +120,7 @@ Color shade(const Tracer& tracer, SurfacePoint& point, const glm::dvec3& directi
   }
   for (std::uint32_t i = 0; i < tracer.scene.lights.size(); ++i) {
     const RenderLight& light = tracer.scene.lights[i];
-    if (shines_in(tracer, light)) {
+    if (tracer.uses(light)) {
       color += reflector.lit_by_light(light, i, key, counts);
     } else if (counts.recorder != nullptr) {
       counts.recorder->light_of_other_mode(i);

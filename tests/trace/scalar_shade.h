@@ -1,8 +1,8 @@
 #pragma once
 // The lighting equation at a point, without reflection and refraction.
 
+#include "scenefile/path/surface_color.h"
 #include "scenefile/trace/camera_rays.h"
-#include "scenefile/trace/surface_color.h"
 #include "trace/recorder.h"
 
 namespace scenefile {

@@ -356,6 +356,7 @@ class Search {
           {h.cause, h.what,
            evidence_of_share(alone.front().explained) + "; something else is wrong, too",
            alone.front().explained});
+      report_.asked = asked(alone.front().mistakes);
     }
   }
 
@@ -455,7 +456,19 @@ class Search {
     return found;
   }
 
+  // The pixel that is asked for, with the mistakes.
+  std::optional<MistakenPixel> asked(const Combination& mistakes) const {
+    const std::shared_ptr<const Visibility> shown =
+        view_.asked ? visible(rasterized(mistakes)) : nullptr;
+    if (shown == nullptr) {
+      return std::nullopt;
+    }
+    const Point point{static_cast<int>(view_.asked->x), static_cast<int>(view_.asked->y)};
+    return MistakenPixel{colors(mistakes, shown, {point}, 1).front()};
+  }
+
   void claim(const Tried& found, const std::vector<Tried>& others) {
+    report_.asked = asked(found.mistakes);
     const double before = left_before(points_.size());
     const double values = 3.0 * test_.width * test_.height;
     for (const std::uint16_t i : found.mistakes) {

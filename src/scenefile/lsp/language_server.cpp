@@ -2,7 +2,7 @@
 
 #include "scenefile/base/text.h"
 #include "scenefile/edit/fix.h"
-#include "scenefile/format/layout.h"
+#include "scenefile/edit/format_text.h"
 #include "scenefile/format/recognize.h"
 #include "scenefile/format/write_text.h"
 #include "scenefile/lsp/completion.h"

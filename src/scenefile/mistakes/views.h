@@ -44,6 +44,7 @@ struct RealtimeView {
   const Scene* written = nullptr;  ///< the written scene; null: transforms are not tried
   RealtimeOptions panel;
   const std::vector<Source>* sources = nullptr;  ///< that `scene` refers to; needed with `written`
+  std::optional<glm::dvec2> asked = std::nullopt;  ///< as SceneView::asked
 };
 
 }  // namespace scenefile

@@ -3,7 +3,7 @@
 #include "scenefile/path/path_scene.h"
 #include "scenefile/trace/optics-inl.h"
 #include "scenefile/trace/scene_geometry.h"
-#include "scenefile/trace/surface_color.h"
+#include "scenefile/path/surface_color.h"
 
 #include <algorithm>
 #include <array>

@@ -304,7 +304,7 @@ inline void find_lights(const WavefrontScene& scene, const RayQueue& rays, Wavef
   memory.light.incoherent = memory.hits.incoherent;
   for (std::uint32_t i = 0; i < lights.size(); ++i) {
     memory.light.index = i;
-    const bool shines = shines_in(scene.tracer, lights[i]);
+    const bool shines = scene.tracer.uses(lights[i]);
     if constexpr (recording) {
       record_light(rays, memory.points, i, shines, *memory.recorder);
     }

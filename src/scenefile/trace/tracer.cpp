@@ -1,5 +1,7 @@
 #include "scenefile/trace/tracer.h"
 
+#include "scenefile/base/shape_traits.h"
+
 namespace scenefile {
 
 namespace {
@@ -57,6 +59,10 @@ CameraRays Tracer::camera() const {
     lens.aperture = 0;
   }
   return {lens, options.width, options.height};
+}
+
+bool Tracer::uses(const RenderLight& light) const {
+  return !(options.mode == Mode::intersect && course()) || is_in_intersect(light.type);
 }
 
 Color Tracer::transparency(const RenderMaterial& material) const {

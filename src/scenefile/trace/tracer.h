@@ -32,6 +32,8 @@ struct Tracer {
   /// Includes the lens if that is enabled.
   CameraRays camera() const;
   bool course() const { return options.profile == Profile::course; }
+  /// Whether the light is used in this mode: the course's ray caster only uses directional lights.
+  bool uses(const RenderLight& light) const;
   /// kt * Ct.
   Color transparency(const RenderMaterial& material) const;
 

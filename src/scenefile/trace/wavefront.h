@@ -7,7 +7,7 @@
 #include "scenefile/trace/camera_rays.h"
 #include "scenefile/trace/packet_bvh.h"
 #include "scenefile/trace/path.h"
-#include "scenefile/trace/surface_color.h"
+#include "scenefile/trace/tracer.h"
 
 #include <memory>
 #include <span>

@@ -63,9 +63,10 @@ struct PictureComparison {
   std::vector<float> flip_errors;   ///< of the pixels; empty for pictures of different sizes
   std::vector<std::string> broken;  ///< thresholds that were exceeded; empty: the same
   CauseReport causes;               ///< empty if no causes were looked for
-  bool realtime = false;            ///< whether the reference is of the assignment Realtime
-  std::string drawn_with;           ///< DrawnWay::words of the reference; empty: unknown
-  RenderOptions drawn_options;      ///< the same as options, without size; of ray-traced ones
+  /// The settings of the reference if it is of the assignment Realtime.
+  std::optional<RealtimeOptions> realtime;
+  std::string drawn_with;       ///< DrawnWay::words of the reference; empty: unknown
+  RenderOptions drawn_options;  ///< the same as options, without size; of ray-traced ones
   bool drawn_exactly = true;  ///< `drawn_with` draws the reference within rounding, not only nearly
   std::string contradicted;   ///< the only way that was given, if it contradicts the reference
   bool scene_used = false;    ///< whether the search for causes had a scene

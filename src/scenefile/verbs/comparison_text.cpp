@@ -95,7 +95,7 @@ std::string where_text(const PictureComparison& found,
   } else if (found.scene_used && found.scene_fits()) {
     text += "; it shows nothing of the scene";
   }
-  return text + (command && found.scene_used && found.scene_fits() && !found.realtime
+  return text + (command && found.scene_used && found.scene_fits()
                      ? fmt::format("\n       try: {}\n", command({r.x, r.y}))
                      : fmt::format("\n       look at pixel {},{}\n", r.x, r.y));
 }

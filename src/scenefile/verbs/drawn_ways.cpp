@@ -122,8 +122,10 @@ std::vector<DrawnWay> folder_first(std::string_view reference, std::vector<Drawn
   return ways;
 }
 
-RealtimeView realtime_view_of(const LoadedScene& scene, const DrawnWay& way) {
-  return {&scene.ready.scene, &scene.assets, &scene.written, *way.realtime, &scene.ready.sources};
+RealtimeView realtime_view_of(const LoadedScene& scene, const DrawnWay& way,
+                              const ComparedPart& part) {
+  return {&scene.ready.scene, &scene.assets,        &scene.written,
+          *way.realtime,      &scene.ready.sources, part.asked};
 }
 
 SceneView view_of(const LoadedScene& scene, const DrawnWay& way, const ComparedPart& part) {

@@ -62,6 +62,7 @@ struct ComparedPart {
 
 /// What the search for causes needs. The results refer to the arguments.
 SceneView view_of(const LoadedScene& scene, const DrawnWay& way, const ComparedPart& part = {});
-RealtimeView realtime_view_of(const LoadedScene& scene, const DrawnWay& way);
+RealtimeView realtime_view_of(const LoadedScene& scene, const DrawnWay& way,
+                              const ComparedPart& part = {});
 
 }  // namespace scenefile

@@ -228,10 +228,10 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
   }
   found.scene_used = true;
   if (ways.front().realtime) {
-    found.realtime = true;
+    found.realtime = ways.front().realtime;
     found.drawn_with = ways.front().words;
     found.causes =
-        find_realtime_causes(reference, test, realtime_view_of(*scene, ways.front()), go_on);
+        find_realtime_causes(reference, test, realtime_view_of(*scene, ways.front(), part), go_on);
     found.where = place_to_look(reference, test, scene, &ways.front());
     return;
   }

@@ -1,7 +1,6 @@
-#include "scenefile/trace/surface_color.h"
+#include "scenefile/path/surface_color.h"
 
 #include "scenefile/base/one_lane.h"
-#include "scenefile/base/shape_traits.h"
 #include "scenefile/base/vector-inl.h"
 #include "scenefile/geometry/surface-inl.h"
 #include "scenefile/trace/camera-inl.h"
@@ -59,11 +58,6 @@ void apply_bump(const Tracer& tracer, SurfacePoint& point, const PixelDerivative
   if (bumped) {
     point.normal = world_normal(point.hit.object_from_world, {normal.x, normal.y, normal.z});
   }
-}
-
-bool shines_in(const Tracer& tracer, const RenderLight& light) {
-  return !(tracer.options.mode == Mode::intersect && tracer.course()) ||
-         is_in_intersect(light.type);
 }
 
 }  // namespace scenefile

@@ -1,5 +1,5 @@
 #pragma once
-// Textures and bump maps of single points, for the path tracer. Wavefronts do the same in lanes.
+// Textures and bump maps of single points. The wavefronts of trace do the same in lanes.
 
 #include "scenefile/trace/footprint.h"
 #include "scenefile/trace/surface_point.h"
@@ -20,8 +20,5 @@ Color diffuse_color(const Tracer& tracer, const RenderMaterial& material,
 
 /// Replaces the shading normal by that of the bump map.
 void apply_bump(const Tracer& tracer, SurfacePoint& point, const PixelDerivatives& dp, int grid);
-
-/// Whether the light is used in this mode: the course's ray caster only uses directional lights.
-bool shines_in(const Tracer& tracer, const RenderLight& light);
 
 }  // namespace scenefile

@@ -1,4 +1,4 @@
-#include "scenefile/format/layout.h"
+#include "scenefile/edit/format_text.h"
 
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"

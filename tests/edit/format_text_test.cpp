@@ -1,4 +1,4 @@
-#include "scenefile/format/layout.h"
+#include "scenefile/edit/format_text.h"
 
 #include "format/reading.h"
 #include "scenefile/format/codes.h"

@@ -1,9 +1,9 @@
 #include "scenefile/base/one_lane.h"
 #include "scenefile/base/vector-inl.h"
 #include "scenefile/path/path_scene.h"
+#include "scenefile/path/surface_color.h"
 #include "scenefile/trace/optics-inl.h"
 #include "scenefile/trace/scene_geometry.h"
-#include "scenefile/path/surface_color.h"
 
 #include <algorithm>
 #include <array>

@@ -40,7 +40,7 @@ TEST_F(Format, FormatsInPlace) {
 TEST_F(Format, CheckDoesNotChangeFiles) {
   folder.write("a.xml", untidy);
   folder.write("c.xml", tidy);
-  const auto in_folder = [&](std::vector<std::string> words) { return program(words); };
+  const auto in_folder = [&](const std::vector<std::string>& words) { return program(words); };
   const ProgramRun run = in_folder({"format", "--check", "a.xml", "c.xml"});
   EXPECT_EQ(run.status, 1);
   EXPECT_EQ(run.out, "a.xml\n");

@@ -113,7 +113,7 @@ TEST(EncodeImage, ExrKeepsEveryFloat) {
   ASSERT_EQ(width, 29);
   ASSERT_EQ(height, 40);
   for (std::size_t p = 0; p < image.rgb.size() / 3; ++p) {
-    ASSERT_EQ(std::memcmp(rgba + 4 * p, image.rgb.data() + 3 * p, 3 * sizeof(float)), 0) << p;
+    ASSERT_TRUE(std::equal(rgba + 4 * p, rgba + 4 * p + 3, image.rgb.data() + 3 * p)) << p;
   }
   std::free(rgba);
 }

@@ -317,7 +317,8 @@ TEST(ReadObj, TimeIsLinear) {
 
 // Finding a column far to the right must not scan the line.
 TEST(ReadObj, FindingsInALongLine) {
-  std::string text = triangle + "f" + std::string(40'000'000, ' ');
+  std::string text = triangle + "f";
+  text.append(40'000'000, ' ');
   for (int i = 0; i < 100; ++i) {
     text += " 9";
   }

@@ -7,6 +7,7 @@
 //
 // KIND is memory, read, write, open, sync, rename or thread.
 
+// NOLINTBEGIN(bugprone-reserved-identifier): names of the C library
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -25,6 +26,7 @@ extern void* __libc_malloc(size_t size);
 extern void* __libc_calloc(size_t count, size_t size);
 extern void* __libc_realloc(void* old, size_t size);
 extern void* __libc_memalign(size_t alignment, size_t size);
+// NOLINTEND(bugprone-reserved-identifier)
 
 static atomic_long calls;
 static const char* kind;

@@ -330,7 +330,7 @@ Change moved(const std::function<glm::ivec2(const glm::ivec2&)>& from) {
         const glm::ivec2 p = from({x, y});
         const bool inside = p.x >= 0 && p.y >= 0 && p.x < t.width && p.y < t.height;
         for (int k = 0; k < 3; ++k) {
-          result.rgb[std::size_t(3 * (y * t.width + x) + k)] =
+          result.rgb[std::size_t{3} * (y * t.width + x) + k] =
               inside ? t.texel(p.x, p.y)[k] : std::uint8_t(0);
         }
       }

@@ -287,7 +287,7 @@ TEST_F(Judge, NamesNoiseThatPixelsShare) {
   for (int y = 0; y < 96; ++y) {
     for (int x = 0; x < 96; ++x) {
       for (int c = 0; c < 3; ++c) {
-        picture.linear.pixel(x, y)[c] *= factors[std::size_t(y / 12 * 8 + x / 12)];
+        picture.linear.pixel(x, y)[c] *= factors[y / 12 * 8 + x / 12];
       }
     }
   }

@@ -92,8 +92,8 @@ TEST(PathBsdf, SamplesFollowTheirDensity) {
         ASSERT_FALSE(s.specular());
         ++counts[cell_of(s.to_light)];
       }
-      std::vector<double> expected =
-          integrals([&](const dvec3& d) { return count * evaluate(bsdf, facing, d).density; });
+      std::vector<double> expected = integrals(
+          [&, &bsdf = bsdf](const dvec3& d) { return count * evaluate(bsdf, facing, d).density; });
       double sum = 0;
       for (const double e : expected) {
         sum += e;

@@ -430,7 +430,7 @@ TEST(PathCourse, DropsDiffuseWhereSpecularIsBrighter) {
   RenderOptions options = path_options(4, 4, 64);
   options.max_depth = 1;
   options.convention = Convention::course;
-  const auto lit = [&](FaceMaterial floor) {
+  const auto lit = [&](const FaceMaterial& floor) {
     Room room = closed_box(floor);
     room.light(LightType::point, {0, 0.5, 0}, glm::vec3(0.6f));
     return mean_of(draw(room, options).image).x;

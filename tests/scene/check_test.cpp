@@ -32,11 +32,11 @@ struct Case {
   std::string word;
 };
 
-Change camera(std::function<void(Camera&)> change) {
+Change camera(const std::function<void(Camera&)>& change) {
   return [change](Scene& s) { change(s.camera.emplace()); };
 }
 
-Change light(LightType type, std::function<void(Light&)> change) {
+Change light(LightType type, const std::function<void(Light&)>& change) {
   return [type, change](Scene& s) {
     Light& l = s.nodes[0].lights[0];
     l.type = type;
@@ -48,22 +48,22 @@ Change light(LightType type, std::function<void(Light&)> change) {
   };
 }
 
-Change material(std::function<void(Material&)> change) {
+Change material(const std::function<void(Material&)>& change) {
   return [change](Scene& s) { change(s.nodes[0].primitives[0].material); };
 }
 
-Change texture(std::function<void(TextureUse&)> change) {
+Change texture(const std::function<void(TextureUse&)>& change) {
   return material([change](Material& m) {
     m.blend = 1;
     change(m.texture.emplace(TextureUse{"a.png", 1, 1, {}}));
   });
 }
 
-Change placed(std::vector<Transform> transforms) {
+Change placed(const std::vector<Transform>& transforms) {
   return [transforms](Scene& s) { add_primitive(s, 0, transforms); };
 }
 
-Change templates(std::function<void(Scene&, NodeId)> change) {
+Change templates(const std::function<void(Scene&, NodeId)>& change) {
   return [change](Scene& s) {
     const NodeId head = add_template(s, "table");
     add_primitive(s, head);

@@ -729,7 +729,7 @@ class Tracer {
           std::pair(Made::Place("transform-order-rts"), std::string_view("rts")),
           std::pair(Made::Place("transform-order-rst"), std::string_view("rst"))}) {
       if (has(mistake)) {
-        const auto place = [&](const Transform& t) {
+        const auto place = [&order = order](const Transform& t) {
           return std::holds_alternative<Translate>(t.map) ? order.find('t')
                  : std::holds_alternative<Scale>(t.map)   ? order.find('s')
                  : std::holds_alternative<Rotate>(t.map)  ? order.find('r')

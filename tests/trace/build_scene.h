@@ -83,7 +83,7 @@ struct SceneBuilder {
     return scene.lights.back();
   }
 
-  std::uint32_t texture(int width, int height, std::vector<std::uint8_t> gray) {
+  std::uint32_t texture(int width, int height, const std::vector<std::uint8_t>& gray) {
     Texture t;
     t.width = width;
     t.height = height;

@@ -137,12 +137,13 @@ TEST(Edges, TheLargestContrastOfEightNeighbors) {
     int rows = 0;
     std::vector<Contrast> found(std::size_t(width) * height);
     std::vector<int> seen(static_cast<std::size_t>(height));
-    for_each_row_of_contrasts(image, surfaces, [&](int y, const RowOfContrasts& row) {
-      for (std::size_t x = 0; x < row.most.size(); ++x) {
-        found[std::size_t(y) * width + x] = {row.most[x], row.edges[x]};
-      }
-      seen[std::size_t(y)] = 1;
-    });
+    for_each_row_of_contrasts(image, surfaces,
+                              [&, width = width](int y, const RowOfContrasts& row) {
+                                for (std::size_t x = 0; x < row.most.size(); ++x) {
+                                  found[std::size_t(y) * width + x] = {row.most[x], row.edges[x]};
+                                }
+                                seen[std::size_t(y)] = 1;
+                              });
     for (const int s : seen) {
       rows += s;
     }

@@ -70,7 +70,9 @@ TEST(Layers, ContainWhatTheCameraSees) {
     const RenderResult result = render(b.scene, b.assets, options);
     ASSERT_EQ(result.layers.size(), 9U);
     for (const auto& [x, y] : {std::pair(0, 0), std::pair(12, 8), std::pair(23, 3)}) {
-      const auto at = [&](std::size_t layer) { return value(result, options, layer, x, y); };
+      const auto at = [&, x = x, y = y](std::size_t layer) {
+        return value(result, options, layer, x, y);
+      };
       EXPECT_NEAR(at(0)[0], 3, 1e-6);  // along the view axis, not along the ray
       EXPECT_NEAR(at(1)[2], 1, 1e-6);
       const float across =

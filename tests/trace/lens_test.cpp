@@ -17,7 +17,7 @@ SceneBuilder edge_scene(double aperture, double focal_length) {
 }
 
 // The share of the wall in a pixel that looks at x on the wall's plane.
-double share(SceneBuilder b, double x, RenderOptions options) {
+double share(SceneBuilder b, double x, const RenderOptions& options) {
   b.look({0, 0, 0}, {x, 0, -6}, 0.001);
   // The focal plane stays perpendicular to the view, which rotates slightly: keep x small.
   return b.picture(1, 1, options).pixel(0, 0)[0];

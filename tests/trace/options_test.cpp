@@ -44,6 +44,8 @@ struct Leaves {
     }
   }
 };
+template <typename Visit>
+Leaves(Visit) -> Leaves<Visit>;
 
 // The options with the n-th leaf changed, and its field; an empty name if there is none.
 std::pair<RenderOptions, OptionField> with_changed(int n) {

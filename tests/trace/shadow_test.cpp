@@ -15,7 +15,7 @@ struct Floor {
 
   Floor() { b.add(Shape::cube, Affine{glm::mat3(40), glm::vec3(0, -20, 0)}, b.material({})); }
 
-  double brightness(double x, RenderOptions options) {
+  double brightness(double x, const RenderOptions& options) {
     b.look({x, 0.5, 0}, {x, 0, 0});
     return b.seen(options).x;
   }
@@ -23,7 +23,7 @@ struct Floor {
     return brightness(x, default_options(profile));
   }
   // The position between two places where the brightness crosses `level`.
-  double edge(double low, double high, double level, RenderOptions options) {
+  double edge(double low, double high, double level, const RenderOptions& options) {
     const bool rises = brightness(low, options) < level;
     for (int i = 0; i < 40; ++i) {
       const double middle = (low + high) / 2;

@@ -99,8 +99,9 @@ TEST_P(ExplainCompared, AgreesWithDiff) {
   const CauseReport& causes = report.compared->found.causes;
   ASSERT_FALSE(causes.claims.empty());
   const auto known = student::known_mistakes();
-  const auto made = std::find_if(known.begin(), known.end(),
-                                 [&](const auto& one) { return one.name == mistake; });
+  const auto made = std::find_if(known.begin(), known.end(), [&mistake = mistake](const auto& one) {
+    return one.name == mistake;
+  });
   ASSERT_NE(made, known.end());
   EXPECT_NE(('|' + std::string(made->causes) + '|')
                 .find('|' + std::string(name_of(causes.claims.front().cause)) + '|'),

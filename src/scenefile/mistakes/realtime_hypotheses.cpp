@@ -587,7 +587,7 @@ class Maker {
 
   // Lights other than those of the milestone.
   template <typename Drawn>
-  void add_lights(std::string what, const Drawn& drawn) {
+  void add_lights(const std::string& what, const Drawn& drawn) {
     std::vector<RenderLight> more;
     for (const RenderLight& light : view_.scene->lights) {
       if (drawn(light.type) && !has_light(view_.panel.milestone, light.type)) {

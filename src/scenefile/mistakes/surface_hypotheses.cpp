@@ -14,8 +14,8 @@ void add_textures(HypothesisList& list) {
   }
   list.add(Cause::texture, "textures are not drawn",
            [](Trial& t) { t.options.features.texture = false; });
-  const auto change = [&](std::string what, void (*change_one)(RenderMaterial&)) {
-    list.add(Cause::texture, std::move(what), [change_one](Trial& t) {
+  const auto change = [&](std::string_view what, void (*change_one)(RenderMaterial&)) {
+    list.add(Cause::texture, what, [change_one](Trial& t) {
       std::for_each(t.scene.materials.begin(), t.scene.materials.end(), change_one);
     });
   };

@@ -42,7 +42,7 @@ std::vector<std::vector<double>> mean_radiance(const Assets& assets) {
 
 // Whether two places are the same is all that counts.
 bool ordered(const DAffine& a, const DAffine& b) {
-  return std::memcmp(&a, &b, sizeof(DAffine)) < 0;
+  return std::memcmp(&a, &b, sizeof(DAffine)) < 0;  // NOLINT(bugprone-suspicious-memory-comparison)
 }
 
 // Maps the unit square to barycentric weights, uniformly (Heitz, "A Low-Distortion Map Between

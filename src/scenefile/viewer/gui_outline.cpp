@@ -55,9 +55,9 @@ class RowPainter {
   }
 
   void react(bool clicked, const ImVec2& at, float width) {
-    if (hovered_ && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && holds_rows()) {
-      toggle_open();
-    } else if (clicked && holds_rows() && ImGui::GetIO().MousePos.x < at.x + arrow_end()) {
+    const bool twice = hovered_ && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+    const bool on_arrow = clicked && ImGui::GetIO().MousePos.x < at.x + arrow_end();
+    if ((twice || on_arrow) && holds_rows()) {
       toggle_open();
     } else if (clicked && ImGui::GetIO().MousePos.x < at.x + width - height_ * 1.3F) {
       select(session_, index_);

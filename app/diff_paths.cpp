@@ -133,7 +133,13 @@ ExitCode diff_paths(Options options, std::span<const LoadedPicture> pictures,
     return fail(outcome);
   }
   if (pictures.size() > 1) {
-    judged.reference = judge_path(truth, pictures.front().picture);
+    judged.reference.emplace();
+    const RenderStatus drawn =
+        scenefile::judge_by_truth(scene, options.render, seconds_of_truth(options), {},
+                                  pictures.front().picture, truth, *judged.reference);
+    if (const Outcome outcome = outcome_of(drawn, context); !outcome.error.empty()) {
+      return fail(outcome);
+    }
     if (options.thresholds != Thresholds()) {
       judged.broken =
           broken_thresholds(options.thresholds, measure(first, mine, options.pixel_threshold));

@@ -158,6 +158,8 @@ struct PathTruth {
   /// Of independent paths, with directions by the BSDF, and uniform ones, as programs sample them.
   std::array<std::vector<LooseThroughputs>, 2> throughputs;
   std::vector<VariantPicture> variants;  ///< those that the scene can have
+  /// With more samples: those that some picture needed (judge_by_truth()).
+  std::vector<VariantPicture> finer_variants;
   std::vector<PathPool> pools;
   std::vector<double> lamp_areas;  ///< by triangle
   double height_angle = 0;         ///< of the camera, radians

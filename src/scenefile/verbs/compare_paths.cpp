@@ -66,14 +66,28 @@ RenderStatus judge_by_truth(const LoadedScene& scene, const RenderOptions& optio
                             const Progress& progress, const DecodedPicture& mine, PathTruth& truth,
                             PathVerdict& verdict) {
   verdict = judge_path(truth, mine);
-  if (verdict.noisy_variants.empty()) {
-    return RenderStatus::complete;
+  const std::vector<VariantPicture> first = truth.variants;
+  RenderStatus drawn = RenderStatus::complete;
+  for (const Variant& variant : verdict.noisy_variants) {
+    const auto is_it = [&](const VariantPicture& v) { return v.variant == variant; };
+    const auto finer =
+        std::find_if(truth.finer_variants.begin(), truth.finer_variants.end(), is_it);
+    if (finer != truth.finer_variants.end()) {
+      std::erase_if(truth.variants, is_it);
+      truth.variants.push_back(*finer);
+      continue;
+    }
+    drawn = draw_variants({&variant, 1}, scene.ready.scene, scene.assets, options, seconds / 3,
+                          progress, truth);
+    if (drawn != RenderStatus::complete) {
+      break;
+    }
+    truth.finer_variants.push_back(truth.variants.back());
   }
-  const RenderStatus drawn = draw_variants(verdict.noisy_variants, scene.ready.scene, scene.assets,
-                                           options, seconds / 3, progress, truth);
-  if (drawn == RenderStatus::complete) {
+  if (drawn == RenderStatus::complete && !verdict.noisy_variants.empty()) {
     verdict = judge_path(truth, mine);
   }
+  truth.variants = first;  // other pictures are judged as if they were alone
   return drawn;
 }
 

@@ -19,8 +19,10 @@ inline constexpr double truth_seconds = 40;
 RenderStatus draw_truth(const LoadedScene& scene, const RenderOptions& options, double seconds,
                         const Progress& progress, PathTruth& truth);
 
-/// The verdict about a picture. Variants that may explain it are drawn again with more samples, for
-/// a third of `seconds`, the processor time of the truth.
+/// The verdict about a picture. Each variant that may explain it, but has too much noise, is drawn
+/// again with more samples for a third of `seconds`, the processor time of the truth. The truth
+/// keeps them for other pictures (PathTruth::finer_variants), but the verdict does not depend on
+/// which those were.
 RenderStatus judge_by_truth(const LoadedScene& scene, const RenderOptions& options, double seconds,
                             const Progress& progress, const DecodedPicture& mine, PathTruth& truth,
                             PathVerdict& verdict);

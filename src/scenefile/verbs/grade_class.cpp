@@ -463,7 +463,13 @@ struct ClassGrader::State {
       reference.truth = std::move(truth);
     }
     enter("comparing the pictures");
-    const PathVerdict verdict = judge_path(*reference.truth, picture);
+    PathVerdict verdict;
+    const RenderStatus judged = judge_by_truth(*reference.scene, options, request_.seconds, go_on,
+                                               picture, *reference.truth, verdict);
+    if (const std::optional<Error> error = render_error(judged)) {
+      result.reasons = {error->text};
+      return;
+    }
     set_result(verdict, result);
     if (picture.not_finite > 0) {
       result.notes.push_back(not_finite_text(picture));

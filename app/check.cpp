@@ -23,13 +23,6 @@ namespace scenefile::app {
 
 namespace {
 
-std::string path_from_here(const std::string& path) {
-  std::error_code error;
-  const std::filesystem::path here = std::filesystem::current_path(error);
-  const std::string relative = std::filesystem::path(path).lexically_relative(here).string();
-  return error || relative.empty() || relative.starts_with("..") ? path : relative;
-}
-
 // Collects the findings of the scenes.
 class Report {
  public:
@@ -44,7 +37,7 @@ class Report {
     if (options_.json) {
       json_.push_back(scene_json(scene, fixes));
     } else if (options_.sarif) {
-      sarif_.add(scene, [&](const std::string& name) { return path_of(scene, name); });
+      sarif_.add(scene);
     } else {
       return print(scene);
     }
@@ -93,16 +86,6 @@ class Report {
     }
     say(text);
     return ExitCode::fine;
-  }
-
-  // The path of a file of the scene, relative to the working directory if it is inside.
-  std::string path_of(const LoadedScene& scene, const std::string& name) const {
-    for (const AssetFile& file : locate_files(scene, options_)) {
-      if (file.reference.name == name && !file.resolved.path.empty()) {
-        return path_from_here(file.resolved.path);
-      }
-    }
-    return {};
   }
 
   const Options& options_;

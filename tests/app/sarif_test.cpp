@@ -142,6 +142,13 @@ TEST_F(Sarif, FindingsInAMeshArePlacedThereAndNameTheScene) {
     EXPECT_GT(scene["region"]["startLine"].GetInt(), 1);
   }
   EXPECT_TRUE(found);
+  // In text and JSON, the path starts where that of the scene does.
+  text.replace(text.find("t.obj"), 5, "u.obj");
+  folder.write("a/s.xml", text);
+  folder.write("a/meshes/u.obj", "v 0 0 0\nf 1 2 4\n");
+  EXPECT_THAT(program({"check", "a/s.xml"}).out, ::testing::HasSubstr("\na/meshes/u.obj:2:"));
+  EXPECT_THAT(program({"check", "a/s.xml", "--json"}).out,
+              ::testing::HasSubstr("\"path\": \"a/meshes/u.obj\""));
 }
 
 TEST_F(Sarif, UnreadableFilesAreNotifications) {

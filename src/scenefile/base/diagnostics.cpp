@@ -62,6 +62,14 @@ std::size_t Diagnostics::dropped() const {
   return sum;
 }
 
+void Diagnostics::set_paths(const std::function<std::string(const std::string& file)>& path_of) {
+  for (Diagnostic& diagnostic : list_) {
+    if (!diagnostic.file.empty()) {
+      diagnostic.path = path_of(diagnostic.file);
+    }
+  }
+}
+
 void Diagnostics::rewrite(
     const std::function<std::optional<Severity>(const Code&, Severity)>& decide) {
   std::vector<Diagnostic> kept;

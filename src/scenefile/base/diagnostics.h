@@ -38,6 +38,7 @@ struct Diagnostic {
   std::string message;  ///< one line of UTF-8; may hold input text, so escape it before a terminal
   std::vector<std::string> notes = {};  ///< more lines, such as the places searched for a file
   std::optional<Correction> correction = std::nullopt;  ///< if a better word is known
+  std::string path{};  ///< of `file`, as this program can open it; empty: not known
 };
 
 /// An append-only list of findings with bounded memory: at most `limits.messages_per_code` of each
@@ -56,6 +57,9 @@ class Diagnostics {
               std::optional<Correction> correction);
   /// Adds a complete finding, for example one about another file.
   void add(Diagnostic diagnostic);
+
+  /// Sets Diagnostic::path of the findings about other files.
+  void set_paths(const std::function<std::string(const std::string& file)>& path_of);
 
   const std::vector<Diagnostic>& list() const { return list_; }
   std::size_t count(Severity severity) const { return counts_[static_cast<int>(severity)]; }

@@ -125,7 +125,7 @@ void append_excerpt(std::string& out, std::string_view line, const Location& loc
 
 void append_heading(std::string& out, const Diagnostic& d, std::string_view file,
                     const ReportStyle& style) {
-  std::string place = escaped(d.file.empty() ? file : std::string_view(d.file));
+  std::string place = escaped(!d.path.empty() ? d.path : d.file.empty() ? file : d.file);
   if (d.location.known()) {
     place += fmt::format(":{}", d.location.line);
     if (d.location.column != 0) {

@@ -276,6 +276,16 @@ ResolvedAsset AssetRoots::resolve(const std::string& name) {
   return AssetSearch(*this, name).run();
 }
 
+std::string AssetRoots::path_of(const std::string& name) {
+  namespace fs = std::filesystem;
+  const fs::path found = resolve(name).path;
+  const fs::path path =
+      (fs::path(options_.scene_path).parent_path() / found.lexically_relative(scene_folder_))
+          .lexically_normal();
+  std::error_code error;
+  return !found.empty() && fs::equivalent(path, found, error) ? path.string() : found.string();
+}
+
 Result<std::string> AssetRoots::read(const std::string& name) {
   ResolvedAsset asset = resolve(name);
   if (!asset.error.empty()) {

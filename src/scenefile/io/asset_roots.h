@@ -54,6 +54,10 @@ class AssetRoots {
   /// Resolves a name as written in the scene. Opens nothing outside the roots.
   ResolvedAsset resolve(const std::string& name);
 
+  /// Where the name was found, relative to the working directory if the scene's path is; empty: not
+  /// found.
+  std::string path_of(const std::string& name);
+
   /// Resolves a name and reads the file. Only regular files; the check is made on the opened file.
   Result<std::string> read(const std::string& name);
 

@@ -209,7 +209,7 @@ void add_invocation(Json& json, const std::vector<std::string>& unreadable, int 
 
 }  // namespace
 
-void SarifLog::add(const LoadedScene& scene, const FindPath& find_path) {
+void SarifLog::add(const LoadedScene& scene) {
   if (scene.unreadable) {
     unreadable_.push_back(scene.unreadable->text);
   }
@@ -220,10 +220,9 @@ void SarifLog::add(const LoadedScene& scene, const FindPath& find_path) {
   for (std::size_t i = 0; i < findings.size(); ++i) {
     const Diagnostic* const d = findings[i];
     const std::string fingerprint = fingerprint_of(*d, lines);
-    const std::string file = d->file.empty() ? std::string() : find_path(d->file);
     entries_.push_back(
-        {scene.path, file, file.empty() ? Location{} : used_at(scene.ready.scene, d->file), *d,
-         fmt::format("{}:{}", fingerprint, ++seen[fingerprint]), std::move(fixes[i])});
+        {scene.path, d->path, d->path.empty() ? Location{} : used_at(scene.ready.scene, d->file),
+         *d, fmt::format("{}:{}", fingerprint, ++seen[fingerprint]), std::move(fixes[i])});
     rules_.emplace(d->code->name, d->code);
   }
 }

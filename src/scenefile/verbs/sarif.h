@@ -4,7 +4,6 @@
 #include "scenefile/edit/fix.h"
 #include "scenefile/verbs/load_scene.h"
 
-#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -12,15 +11,12 @@
 
 namespace scenefile {
 
-/// The path where a reader of the log finds a file that the scene refers to; empty: not found.
-using FindPath = std::function<std::string(const std::string& name)>;
-
 /// Collects the findings of several scenes in a log with one run.
 class SarifLog {
  public:
   /// Adds the scene's findings, after apply_policy(). Findings about a mesh get the place in its
   /// file.
-  void add(const LoadedScene& scene, const FindPath& find_path);
+  void add(const LoadedScene& scene);
   /// `exit_status` is that of the program.
   std::string text(int exit_status) const;
 

@@ -37,6 +37,9 @@ void add_finding(Json& json, const Diagnostic& d, const std::vector<Replacement>
   }
   if (!d.file.empty()) {
     json.add("file", d.file);
+    if (!d.path.empty()) {
+      json.add("path", d.path);
+    }
   }
   add_location(json, d.location);
   if (d.correction) {

@@ -122,7 +122,8 @@ bool is_scene(const LoadedScene& config) {
 }
 
 // Reads without printing.
-ExitCode read_quietly(const std::string& path, Context& context, Configured& configured) {
+ExitCode read_quietly(const std::string& path, Context& context, Configured& configured,
+                      std::optional<ConfigKind> program = std::nullopt) {
   context.phase = "reading the configuration";
   LoadedScene& file = configured.file;
   file.path = path;
@@ -133,7 +134,7 @@ ExitCode read_quietly(const std::string& path, Context& context, Configured& con
     return status_of(file);
   }
   file.text = *std::move(text);
-  const CourseConfig config = read_config(file.text, Limits{}, file.diagnostics);
+  const CourseConfig config = read_config(file.text, Limits{}, file.diagnostics, program);
   check_picture_format(config, file.diagnostics);
   configured.kind = config.kind;
   configured.scene = config.scene;
@@ -181,7 +182,7 @@ ExitCode read_course_arguments(ConfigKind program, std::span<const char* const> 
     return fail(ExitCode::usage,
                 fmt::format("expected one argument, a configuration: {} CONFIG.ini", program_name));
   }
-  const ExitCode status = read_quietly(std::string(path), context, configured);
+  const ExitCode status = read_quietly(std::string(path), context, configured, program);
   const std::string name = escaped(path, 4096);
   if ((status == ExitCode::findings || status == ExitCode::limit) && is_scene(configured.file)) {
     say_error(fmt::format("{} is a scene; {} takes a configuration that names the scene", name,

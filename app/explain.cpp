@@ -38,11 +38,15 @@ ExitCode load_pictures(Options& options, LoadedPicture& mine, LoadedPicture& ref
     options.render.width = picture.width;
     options.render.height = picture.height;
   } else if (options.render.width != picture.width || options.render.height != picture.height) {
-    return fail(ExitCode::usage,
-                fmt::format("{} is {}x{}, and --size says {}x{}; for a part of a picture or a "
-                            "screenshot, --reference PICTURE finds the place",
-                            quoted(options.mine, 400), picture.width, picture.height,
-                            options.render.width, options.render.height));
+    return fail(
+        ExitCode::usage,
+        fmt::format(
+            "{} is {}x{}, but the size asked for is {}x{}; {}", quoted(options.mine, 400),
+            picture.width, picture.height, options.render.width, options.render.height,
+            options.render.mode == Mode::path
+                ? fmt::format("--size {}x{} asks for its own", picture.width, picture.height)
+                : "for a part of a picture or a screenshot, --reference PICTURE "
+                  "finds the place"));
   }
   if (options.pixel->x >= picture.width || options.pixel->y >= picture.height) {
     return fail(ExitCode::usage,

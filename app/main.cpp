@@ -225,7 +225,13 @@ ExitCode run_command(const Command& command, std::span<const char* const> words,
   Options options;
   if (const std::string wrong = parse_options(command, words, options, configured);
       !wrong.empty()) {
-    return complain(wrong, command.name);
+    const ExitCode status = complain(wrong, command.name);
+    if (!configured.words.empty()) {
+      say(fmt::format("The configuration stands for: scenefile {} {} -o {} {}\n", command.name,
+                      escaped(configured.scene, 4096), escaped(configured.output, 4096),
+                      fmt::join(configured.words, " ")));
+    }
+    return status;
   }
   if (options.help) {
     return answer(command_text(command));

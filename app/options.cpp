@@ -426,8 +426,13 @@ std::string check_together(const Command& command, Options& options) {
 std::string parse_options(const Command& command, std::span<const char* const> words,
                           Options& options, const Configured& configured) {
   std::vector<std::string> all;
+  // A maximum that stands for a probability of 0 gives way to another probability.
+  const bool continues = std::any_of(words.begin(), words.end(), [](std::string_view word) {
+    return word.starts_with("--continue");
+  });
   for (const std::string& word : configured.words) {
-    if (has_option(command, word.substr(0, word.find('=')))) {
+    if (has_option(command, word.substr(0, word.find('='))) &&
+        !(continues && configured.kind == ConfigKind::path && word.starts_with("--max-depth"))) {
       all.push_back(word);
     }
   }

@@ -339,6 +339,32 @@ TEST_F(PathDriver, GivenOptionsCountMore) {
   EXPECT_EQ(parse_json(run({"render", "c.ini", "--json"}).out)["samples"].GetInt(), 3);
 }
 
+TEST_F(PathDriver, GivenOptionsThatContradictAreToldWhatTheConfigurationIs) {
+  folder.write("c.ini", config("samplesPerPixel=3\npathContinuationProb=0\n"));
+  const ProgramRun rays = run({"render", "c.ini", "--mode", "ray"});
+  EXPECT_EQ(rays.status, 2);
+  EXPECT_THAT(rays.err, HasSubstr("The configuration stands for: scenefile render lamp.xml -o "
+                                  "out.png --mode=path --samples=3 --light-samples=1"));
+  const ProgramRun longer = run({"render", "c.ini", "--continue", "0.5", "--json"});
+  EXPECT_EQ(parse_json(longer.out)["max_depth"].GetInt(), 0);
+}
+
+TEST_F(PathDriver, APictureOfAnotherSizeIsNotExplained) {
+  folder.write("c.ini", config("samplesPerPixel=1\n"));
+  ASSERT_EQ(run({"render", "c.ini", "--size", "16x16"}).status, 0);
+  const ProgramRun other = run({"explain", "c.ini", "--pixel", "3,3", "--mine", "out.png"});
+  EXPECT_EQ(other.status, 2);
+  EXPECT_THAT(other.err, HasSubstr("out.png\" is 16x16, but the size asked for is 32x24; --size "
+                                   "16x16 asks for its own"));
+}
+
+TEST_F(PathDriver, AsksForItsOwnSize) {
+  folder.write("c.ini", "[IO]\nscene = lamp.xml\noutput = out.png\n");
+  const ProgramRun ran = run({"c.ini"}, projects_path);
+  EXPECT_EQ(ran.status, 1);
+  EXPECT_THAT(ran.err, HasSubstr("missing [Settings] imageWidth"));
+}
+
 TEST_F(PathDriver, CreatesTheFolderOfTheOutput) {
   folder.write("c.ini", config("samplesPerPixel=1\n", "student_outputs/final/a.png"));
   const ProgramRun ran = run({"c.ini"}, projects_path);

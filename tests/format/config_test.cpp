@@ -34,7 +34,8 @@ struct ConfigReading {
   Diagnostics diagnostics;
   CourseConfig config;
 
-  explicit ConfigReading(const std::string& text) : config(read_config(text, {}, diagnostics)) {}
+  explicit ConfigReading(const std::string& text, std::optional<ConfigKind> program = std::nullopt)
+      : config(read_config(text, {}, diagnostics, program)) {}
   bool gives(const Code& code) const {
     for (const Diagnostic& d : diagnostics.list()) {
       if (d.code == &code) {
@@ -49,6 +50,26 @@ std::string replaced(const std::string& from, const std::string& to) {
   std::string text = good;
   text.replace(text.find(from), from.size(), to);
   return text;
+}
+
+TEST(Config, AsksForTheSizeInTheSectionOfTheProgram) {
+  const std::string text = "[IO]\nscene = a.xml\noutput = a.png\n";
+  const auto messages = [&](std::optional<ConfigKind> program) {
+    std::string all;
+    const ConfigReading read(text, program);
+    for (const Diagnostic& d : read.diagnostics.list()) {
+      all += d.message + '\n';
+    }
+    return all;
+  };
+  using ::testing::HasSubstr;
+  EXPECT_THAT(messages(ConfigKind::path), HasSubstr("missing [Settings] imageWidth"));
+  EXPECT_THAT(messages(ConfigKind::ray), HasSubstr("missing [Canvas] width"));
+  EXPECT_EQ(messages({}),
+            "the configuration is missing the size of the picture: [Canvas] width and height for "
+            "the ray tracer, [Settings] imageWidth and imageHeight for the path tracer\n");
+  EXPECT_EQ(ConfigReading("\xff\xfe[").diagnostics.list()[0].message,
+            "the configuration is in UTF-16; save it as UTF-8");
 }
 
 TEST(Config, IsReadAsTheDriverWritesIt) {

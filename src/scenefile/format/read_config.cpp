@@ -220,13 +220,16 @@ std::vector<KnownEntry> known_entries(std::vector<IniEntry> entries) {
   return known;
 }
 
-ConfigKind kind_of(const std::vector<KnownEntry>& entries) {
+// nullopt: no key tells.
+std::optional<ConfigKind> kind_of(const std::vector<KnownEntry>& entries) {
   const auto count = [&](ConfigKind kind) {
     return std::count_if(entries.begin(), entries.end(), [&](const KnownEntry& e) {
       return e.key != nullptr && e.key->kind == kind;
     });
   };
-  return count(ConfigKind::path) > count(ConfigKind::ray) ? ConfigKind::path : ConfigKind::ray;
+  const auto paths = count(ConfigKind::path);
+  const auto rays = count(ConfigKind::ray);
+  return paths > rays ? ConfigKind::path : rays > 0 ? std::optional(ConfigKind::ray) : std::nullopt;
 }
 
 void report_missing(const Key& key, bool damaged, Diagnostics& diagnostics) {
@@ -247,22 +250,26 @@ void report_missing(const Key& key, bool damaged, Diagnostics& diagnostics) {
 
 }  // namespace
 
-CourseConfig read_config(std::string_view text, const Limits& limits, Diagnostics& diagnostics) {
+CourseConfig read_config(std::string_view text, const Limits& limits, Diagnostics& diagnostics,
+                         std::optional<ConfigKind> program) {
   CourseConfig config;
   const ConfigReader reader{config, limits, diagnostics};
   Diagnostics found;
   std::vector<IniEntry> read = read_ini(text, found);
   if (std::none_of(read.begin(), read.end(), is_of_config)) {
     diagnostics.report("config.missing-key"_code, {},
-                       "not a configuration: it has no key in a section [IO], [Canvas], [Feature] "
-                       "or [Settings]");
+                       text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")
+                           ? "the configuration is in UTF-16; save it as UTF-8"
+                           : "not a configuration: it has no key in a section [IO], [Canvas], "
+                             "[Feature] or [Settings]");
     return config;
   }
   for (const Diagnostic& d : found.list()) {
     diagnostics.add(d);
   }
   const std::vector<KnownEntry> entries = known_entries(std::move(read));
-  config.kind = kind_of(entries);
+  const std::optional<ConfigKind> kind = kind_of(entries);
+  config.kind = kind.value_or(program.value_or(ConfigKind::ray));
   std::array<bool, keys.size()> given{};
   for (const KnownEntry& known : entries) {
     const IniEntry& entry = known.entry;
@@ -294,10 +301,17 @@ CourseConfig read_config(std::string_view text, const Limits& limits, Diagnostic
   }
   // Keys on lines that could not be read are not reported as missing.
   const bool damaged = diagnostics.has_errors();
+  const bool known = kind || program;
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    if (!given[i] && keys[i].kind.value_or(config.kind) == config.kind) {
+    if (!given[i] && (known ? keys[i].kind.value_or(config.kind) == config.kind : !keys[i].kind)) {
       report_missing(keys[i], damaged, diagnostics);
     }
+  }
+  if (!known && !damaged) {
+    diagnostics.report("config.missing-key"_code, {},
+                       "the configuration is missing the size of the picture: [Canvas] width and "
+                       "height for the ray tracer, [Settings] imageWidth and imageHeight for the "
+                       "path tracer");
   }
   return config;
 }

@@ -47,8 +47,9 @@ struct CourseConfig {
 /// Reads a configuration in the dialect of QSettings (sections, key = value, semicolon comments,
 /// quotes, backslash escapes). Sections and keys in the wrong case are accepted with a warning;
 /// true is `true` or `1`; false is `false`, `0` or empty. The kind is the one that more keys belong
-/// to; keys of the other kind have no effect, with a warning. Codes: format/codes.h. If errors are
-/// reported, do not use the result.
-CourseConfig read_config(std::string_view text, const Limits& limits, Diagnostics& diagnostics);
+/// to, or `program` if no key tells; keys of the other kind have no effect, with a warning. Codes:
+/// format/codes.h. If errors are reported, do not use the result.
+CourseConfig read_config(std::string_view text, const Limits& limits, Diagnostics& diagnostics,
+                         std::optional<ConfigKind> program = std::nullopt);
 
 }  // namespace scenefile

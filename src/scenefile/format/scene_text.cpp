@@ -141,8 +141,8 @@ constexpr std::string_view mesh =
     "an OBJ mesh, not a scene; a scene draws it with <object type=\"primitive\" name=\"mesh\" "
     "filename=\"...\"/> (JSON: a primitive of type mesh with meshFile)";
 constexpr std::string_view configuration =
-    "a configuration of the course's ray tracer, not a scene; the scene is the file that it names "
-    "under [IO]";
+    "a configuration of the course's ray or path tracer, not a scene; the scene is the file that "
+    "it names under [IO]";
 constexpr std::string_view picture = "a picture, not a scene";
 
 constexpr FileSignature signatures[] = {

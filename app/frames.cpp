@@ -55,6 +55,20 @@ struct Motion {
   double fps = usual_fps;
 };
 
+// Why the camera cannot be used, if so.
+Outcome check_camera(const Camera& camera, const std::string& whose, const Limits& limits) {
+  Scene scene;
+  scene.camera = camera;
+  Diagnostics diagnostics(limits);
+  check(scene, limits, diagnostics);
+  for (const Diagnostic& finding : diagnostics.list()) {
+    if (finding.severity == Severity::error) {
+      return {ExitCode::findings, fmt::format("{}: {}", whose, finding.message)};
+    }
+  }
+  return {};
+}
+
 Outcome read_path(const Options& options, const Camera& camera, Motion& motion) {
   const Result<std::string> text = read_file(options.path, options.load.limits.file_bytes);
   if (!text) {
@@ -71,6 +85,15 @@ Outcome read_path(const Options& options, const Camera& camera, Motion& motion) 
   if (frames > static_cast<double>(max_frames)) {
     return {ExitCode::limit,
             fmt::format("{}: more than {} frames", escaped(options.path, 400), max_frames)};
+  }
+  for (const CameraView& view : path->views) {
+    const auto number = &view - path->views.data() + 1;
+    if (Outcome wrong = check_camera(view.camera,
+                                     fmt::format("{}: view {}", escaped(options.path, 400), number),
+                                     options.load.limits);
+        !wrong.error.empty()) {
+      return wrong;
+    }
   }
   for (std::size_t i = 0; i < static_cast<std::size_t>(frames); ++i) {
     motion.cameras.push_back(camera_at(path->views, start + static_cast<double>(i) / motion.fps));
@@ -100,14 +123,9 @@ Motion turntable(const Options& options, const LoadedScene& scene, const Camera&
 // Why one of the cameras cannot be used; nullopt if all can.
 Outcome check_cameras(const Motion& motion, const Limits& limits) {
   for (std::size_t i = 0; i < motion.cameras.size(); ++i) {
-    Scene scene;
-    scene.camera = motion.cameras[i];
-    Diagnostics diagnostics(limits);
-    check(scene, limits, diagnostics);
-    for (const Diagnostic& finding : diagnostics.list()) {
-      if (finding.severity == Severity::error) {
-        return {ExitCode::findings, fmt::format("frame {}: {}", i + 1, finding.message)};
-      }
+    if (Outcome wrong = check_camera(motion.cameras[i], fmt::format("frame {}", i + 1), limits);
+        !wrong.error.empty()) {
+      return wrong;
     }
   }
   return {};

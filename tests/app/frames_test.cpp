@@ -318,7 +318,9 @@ TEST_F(FramesTest, ErrorsInAPathHaveAPlace) {
   EXPECT_THAT(complaint(R"({"views": [{"position": [1, 2]}]})"), HasSubstr("three numbers"));
   EXPECT_THAT(complaint("views"), HasSubstr("views.json:1:1"));
   EXPECT_THAT(complaint(R"({"views": [{"look": [0, 1, 0], "up": [0, 1, 0]}]})"),
-              HasSubstr("frame 1: "));
+              HasSubstr("views.json: view 1: up 0 1 0 of the camera is parallel"));
+  EXPECT_THAT(complaint(R"({"views": [{"time": 0}, {"time": 1, "up": [0, 0, 0]}]})"),
+              HasSubstr("view 2: up of the camera is 0 0 0"));
 }
 
 }  // namespace

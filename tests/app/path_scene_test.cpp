@@ -62,6 +62,17 @@ TEST_F(PathScene, WithoutEmissionItHasNoLight) {
   EXPECT_THAT(run_program({"check", scene()}).out, HasSubstr("[scene.no-light]"));
 }
 
+TEST_F(PathScene, ItsFacesMayEmitLightIfTheyCannotBeRead) {
+  const std::string path = scene();
+  for (const std::string mesh : {"f 1 2 3\n", ""}) {
+    mesh.empty() ? static_cast<void>(std::filesystem::remove(folder.path("scenes/models/box.obj")))
+                 : static_cast<void>(folder.write("scenes/models/box.obj", mesh));
+    const ProgramRun run = run_program({"check", path});
+    EXPECT_EQ(run.status, 1);
+    EXPECT_THAT(run.out, Not(HasSubstr("scene.no-light")));
+  }
+}
+
 TEST_F(PathScene, FindingsHaveThePlaceInTheLibrary) {
   folder.write("scenes/models/box.mtl",
                "newmtl lamp\nKe 17 12 4\nNs x\nnewmtl wall\nKd 1 1 1\nKs 1 1 1\n");

@@ -1,5 +1,6 @@
 #include "scenefile/verbs/load_scene.h"
 
+#include "scenefile/asset/codes.h"
 #include "scenefile/base/hash.h"
 #include "scenefile/base/shape_traits.h"
 #include "scenefile/format/read_scene.h"
@@ -96,7 +97,13 @@ void load_written(LoadedScene& scene, const FetchFile& fetch, const LoadSettings
   if (settings.depth != LoadDepth::prepared) {
     enter(settings, "loading textures and meshes");
     load_files(scene, fetch, settings);
-    if (has_emissive_faces(scene.assets)) {
+    // Faces that could not be read may emit light.
+    const std::vector<Diagnostic>& found = scene.diagnostics.list();
+    if (has_emissive_faces(scene.assets) ||
+        std::any_of(found.begin(), found.end(), [](const Diagnostic& d) {
+          return d.severity == Severity::error &&
+                 (d.code == &"mesh.missing"_code || d.code == &"mesh.unusable"_code);
+        })) {
       drop("scene.no-light"_code, scene.diagnostics);
     }
   }

@@ -137,9 +137,14 @@ class GradePaths : public testing::Test {
 };
 
 TEST_F(GradePaths, ReadsConfigurations) {
-  const Result<std::vector<PathReference>> found = path_references(path("inis"), "", options());
+  std::vector<std::string> notes;
+  write("inis/other.ini", "[Other]\na=0\n");
+  const Result<std::vector<PathReference>> found =
+      path_references(path("inis"), "", options(), notes);
   ASSERT_TRUE(found);
   ASSERT_EQ(found->size(), 2u);
+  ASSERT_EQ(notes.size(), 1u);  // of the one that is skipped
+  EXPECT_THAT(notes[0], HasSubstr("other.ini: not a configuration"));
   EXPECT_EQ(found->front().file.stem, "direct");
   EXPECT_EQ(found->front().file.folders.back(), "final");
   EXPECT_TRUE(found->front().options.direct_only);
@@ -147,15 +152,26 @@ TEST_F(GradePaths, ReadsConfigurations) {
   EXPECT_EQ(found->back().options.width, 64);
   EXPECT_EQ(found->back().scene, "room.xml");
   write("none/ray.ini", "[IO]\nscene=a.xml\noutput=a.png\n[Canvas]\nwidth=8\nheight=8\n");
-  EXPECT_FALSE(path_references(path("none"), "", options()));
+  EXPECT_FALSE(path_references(path("none"), "", options(), notes));
   write("broken/a.ini", "[IO]\nscene = room.xml\n[Settings]\nimageWidth = 64\n");
-  const Result<std::vector<PathReference>> broken = path_references(path("broken"), "", options());
+  const Result<std::vector<PathReference>> broken =
+      path_references(path("broken"), "", options(), notes);
   ASSERT_FALSE(broken);
   EXPECT_THAT(broken.error().text, HasSubstr("a.ini"));
   EXPECT_THAT(broken.error().text, Not(HasSubstr("a.ini:0")));
+  std::string absolute = configured("full", "false");
+  absolute.insert(absolute.find("room.xml"), "/");
+  write("absolute/a.ini", absolute);
+  EXPECT_EQ(path_references(path("absolute"), "b", options(), notes)->front().scene, "/room.xml");
+  notes.clear();
+  write("typo/a.ini", configured("full", "false") + "directLigthingOnly = true\n");
+  ASSERT_TRUE(path_references(path("typo"), "", options(), notes));
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_THAT(notes[0], HasSubstr("a.ini:11: unknown key [Settings] directLigthingOnly"));
   write("twice/a.ini", configured("full", "false"));
   write("twice/b.ini", configured("full", "true"));
-  const Result<std::vector<PathReference>> twice = path_references(path("twice"), "", options());
+  const Result<std::vector<PathReference>> twice =
+      path_references(path("twice"), "", options(), notes);
   ASSERT_FALSE(twice);
   EXPECT_THAT(twice.error().text, HasSubstr("b.ini name the same output, \"out/final/full.png\""));
 }
@@ -167,6 +183,7 @@ TEST_F(GradePaths, JudgesPicturesWithinTheirNoise) {
   hand_in("class/ben/full.pfm", true);  // indirect light is missing
   hand_in("class/ben/direct.pfm", true, 0.5);
   write("class/cleo/full.pfm", "no picture");
+  write("inis/other.ini", "[Other]\na=0\n");
   const Gradebook book = grade();
   ASSERT_EQ(book.students.size(), 3u);
   const auto& [ada, ben, cleo] = std::tie(book.students[0], book.students[1], book.students[2]);
@@ -188,9 +205,20 @@ TEST_F(GradePaths, JudgesPicturesWithinTheirNoise) {
   EXPECT_EQ(cleo.pictures[1].verdict, Verdict::unreadable);
   const std::string json = gradebook_json(book);
   EXPECT_THAT(json, HasSubstr("path_traced"));
+  EXPECT_THAT(json, HasSubstr("other.ini: not a configuration"));
   EXPECT_EQ(json.find("psnr_db"), std::string::npos);
   EXPECT_THAT(gradebook_csv(book), HasSubstr("\"ben\",\"full\",differs,,,"));
   EXPECT_THAT(gradebook_html(book, "Path"), HasSubstr("right within its noise"));
+}
+
+TEST_F(GradePaths, AMissingSceneIsAMissingFile) {
+  write("class/ada/full.pfm", "");
+  const GradeRequest request{
+      .handed_in = path("class"), .references = path("inis"), .scenes = "", .path = options()};
+  const Result<Gradebook> book =
+      grade_class(request, [&](const std::string&) { return load_scene_file(path("none.xml")); });
+  ASSERT_FALSE(book);
+  EXPECT_EQ(book.error().kind, ErrorKind::environment);
 }
 
 TEST_F(GradePaths, NoisyVariantsAreDrawnAgainAsByDiff) {

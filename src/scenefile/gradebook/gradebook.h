@@ -59,7 +59,8 @@ struct Gradebook {
   std::vector<StudentResult> students;
   /// First those of unknown students, then the others, in the order of the students.
   std::vector<IgnoredFile> ignored = {};
-  std::string name = {};  ///< of the folder of the class
+  std::string name = {};                ///< of the folder of the class
+  std::vector<std::string> notes = {};  ///< decisions that the grader may not expect
 
   /// The number of pictures of all students with that verdict.
   std::size_t count(Verdict verdict) const;

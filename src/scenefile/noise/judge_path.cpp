@@ -604,11 +604,11 @@ void name_nothing(const TruthBlocks& back, const DecodedPicture& mine, PathVerdi
                      100 * clipped / all, 100 * bright / all, growth),
          "without visible lamps", 0});
   } else {
-    verdict.notes.push_back(
-        {Cause::brightness, "nothing-to-compare",
-         "nothing can be compared: too many pixels are clipped or not finite, or the picture shows "
-         "only lamps and what is next to them",
-         "", 0});
+    verdict.notes.push_back({Cause::brightness, "nothing-to-compare",
+                             "nothing can be compared: too many pixels are clipped or not finite, "
+                             "or the picture is too "
+                             "small, or shows only lamps and what is next to them",
+                             "", 0});
   }
 }
 

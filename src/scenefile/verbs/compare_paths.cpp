@@ -128,8 +128,10 @@ std::string path_verdict_text(const PathVerdict& v) {
     text += fmt::format("  {}: {:.3f} +- {:.3f} of the truth's ({:.1f} % of it)\n", place.name,
                         place.factor, place.error, 100 * place.share);
   }
-  text += fmt::format("  noise as of {:.0f} samples per pixel; the truth has {:.0f}\n", v.samples,
-                      v.truth_samples);
+  text += fmt::format(
+      "  noise as of {} per pixel; the truth has {:.0f}\n",
+      v.samples < 0.5 ? "less than one sample" : fmt::format("{:.0f} samples", v.samples),
+      v.truth_samples);
   if (v.curve != "linear values") {
     text += fmt::format(
         "  read as {}{}\n", v.curve,

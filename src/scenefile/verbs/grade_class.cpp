@@ -91,6 +91,7 @@ struct ClassGrader::State {
 
   // Finds the pictures of all students.
   Result<void> find_pictures() {
+    notes_ = references_.notes;
     note_missing_scenes();
     ClassFiles found = find_class_files(request_.handed_in, references_.files);
     ignored_ = std::move(found.ignored);
@@ -177,6 +178,7 @@ struct ClassGrader::State {
   Gradebook empty_book() const {
     Gradebook book;
     book.name = name_of_class(request_.handed_in);
+    book.notes = notes_;
     book.ignored = ignored_;
     for (const Student& student : students_) {
       book.ignored.insert(book.ignored.end(), student.ignored.begin(), student.ignored.end());

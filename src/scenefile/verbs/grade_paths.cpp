@@ -19,23 +19,26 @@ Claim claim_of(const PathClaim& claim) {
   return {claim.page, claim.what, claim.evidence, claim.explained};
 }
 
-Error config_error(const std::string& path, const Diagnostics& diagnostics) {
+// The findings of that severity, with their places.
+std::vector<std::string> findings_of(const std::string& path, const Diagnostics& diagnostics,
+                                     Severity severity) {
+  std::vector<std::string> lines;
   for (const Diagnostic& d : diagnostics.list()) {
-    if (d.severity == Severity::error) {
-      return {fmt::format("{}{}: {}", escaped(path, 400),
-                          d.location.known() ? fmt::format(":{}", d.location.line) : "",
-                          escaped(d.message)),
-              ErrorKind::input};
+    if (d.severity == severity) {
+      lines.push_back(fmt::format("{}{}: {}", escaped(path, 400),
+                                  d.location.known() ? fmt::format(":{}", d.location.line) : "",
+                                  escaped(d.message)));
     }
   }
-  return {fmt::format("{}: cannot be used", escaped(path, 400)), ErrorKind::input};
+  return lines;
 }
 
 }  // namespace
 
 Result<std::vector<PathReference>> path_references(const std::string& folder,
                                                    const std::string& scenes,
-                                                   const RenderOptions& options) {
+                                                   const RenderOptions& options,
+                                                   std::vector<std::string>& notes) {
   std::vector<Error> errors;
   std::vector<PathReference> references;
   for (const std::string& path : files_below(folder, errors)) {
@@ -47,12 +50,17 @@ Result<std::vector<PathReference>> path_references(const std::string& folder,
       return text.error();
     }
     Diagnostics diagnostics;
-    const CourseConfig config = read_config(*text, Limits{}, diagnostics);
-    if (diagnostics.has_errors()) {
-      return config_error(path, diagnostics);
-    }
+    const CourseConfig config = read_config(*text, Limits{}, diagnostics, ConfigKind::path);
+    const std::vector<std::string> wrong = findings_of(path, diagnostics, Severity::error);
     if (config.kind != ConfigKind::path) {
+      notes.insert(notes.end(), wrong.begin(), wrong.end());
       continue;
+    }
+    if (!wrong.empty()) {
+      return Error{wrong.front(), ErrorKind::input};
+    }
+    for (std::string& line : findings_of(path, diagnostics, Severity::warning)) {
+      notes.push_back(std::move(line));
     }
     FoundFile file = found_file("", config.output);
     file.path = path;
@@ -67,7 +75,8 @@ Result<std::vector<PathReference>> path_references(const std::string& folder,
     PathReference& one = references.emplace_back();
     one.file = std::move(file);
     one.text = *std::move(text);
-    one.scene = scenes.empty() ? config.scene : scenes + '/' + config.scene;
+    one.scene = scenes.empty() || config.scene.starts_with('/') ? config.scene
+                                                                : scenes + '/' + config.scene;
     one.options = options;
     one.options.width = config.width;
     one.options.height = config.height;

@@ -23,9 +23,11 @@ struct PathReference {
 /// The configurations of the path tracer below `folder`; those of the ray tracer are skipped. Their
 /// scenes are relative to the folder `scenes`, or if that is empty, to the working directory.
 /// `options`: what configurations do not say. Fails if there are none, and if one has errors.
+/// `notes` gets warnings, and why other files are skipped.
 Result<std::vector<PathReference>> path_references(const std::string& folder,
                                                    const std::string& scenes,
-                                                   const RenderOptions& options);
+                                                   const RenderOptions& options,
+                                                   std::vector<std::string>& notes);
 
 /// Sets what the verdict says about the picture: verdict, reasons, claims and notes.
 void set_result(const PathVerdict& verdict, PictureResult& result);

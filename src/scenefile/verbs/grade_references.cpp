@@ -5,6 +5,7 @@
 #include "scenefile/format/recognize.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/folder.h"
+#include "scenefile/verbs/findings.h"
 #include "scenefile/verbs/grade_files.h"
 #include "scenefile/verbs/grade_paths.h"
 #include "scenefile/verbs/load_file.h"
@@ -143,7 +144,7 @@ class ReferenceLoader {
   // References are configurations of the path tracer.
   Result<void> load_path_references(const LoadShownScene& load_scene) {
     Result<std::vector<PathReference>> found =
-        path_references(request_.references, request_.scenes, *request_.path);
+        path_references(request_.references, request_.scenes, *request_.path, found_.notes);
     if (!found) {
       return found.error();
     }
@@ -158,7 +159,7 @@ class ReferenceLoader {
                                  request_.scenes.empty()
                                      ? "; it is relative to the working directory, or to --scenes"
                                      : ""),
-                     ErrorKind::input};
+                     failure_of(*reference.scene).value_or(ErrorKind::input)};
       }
       reference.path = one.options;
       found_.fingerprint.add(one.text);

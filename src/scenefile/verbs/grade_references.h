@@ -28,8 +28,9 @@ struct ClassReference {
 struct ClassReferences {
   std::vector<FoundFile> files;  ///< of each reference
   std::vector<ClassReference> all;
-  Hash fingerprint;              ///< of what results depend on
-  std::vector<UsedFile> inputs;  ///< all files, used or not
+  Hash fingerprint;                ///< of what results depend on
+  std::vector<UsedFile> inputs;    ///< all files, used or not
+  std::vector<std::string> notes;  ///< about configurations, ClassGrader::notes()
 };
 
 /// Loads the pictures with their scenes, or in mode path the configurations. Textures next to the

@@ -37,6 +37,7 @@ std::string gradebook_json(const Gradebook& book) {
     }
     json.add("reason", file.reason);
   });
+  json.add("notes", book.notes);
   json.end_object();
   return json.text();
 }

@@ -28,7 +28,7 @@ std::string written_scene(SceneFormat format) {
   return text;
 }
 
-std::string laid_out(const std::string& text) {
+std::string tidied(const std::string& text) {
   Diagnostics diagnostics;
   const std::optional<std::string> result = lay_out(text, {}, diagnostics);
   RC_ASSERT(result.has_value());
@@ -104,34 +104,34 @@ std::string without_blanks(std::string text) {
 RC_GTEST_PROP(LayoutLaws, WhatIsWrittenIsLaidOut, ()) {
   for (const SceneFormat format : formats) {
     const std::string text = written_scene(format);
-    RC_ASSERT(laid_out(text) == text);
+    RC_ASSERT(tidied(text) == text);
   }
 }
 
 RC_GTEST_PROP(LayoutLaws, IsIdempotent, ()) {
   for (const SceneFormat format : formats) {
-    const std::string once = laid_out(disordered(written_scene(format), format));
-    RC_ASSERT(laid_out(once) == once);
+    const std::string once = tidied(disordered(written_scene(format), format));
+    RC_ASSERT(tidied(once) == once);
   }
 }
 
 RC_GTEST_PROP(LayoutLaws, OnlyWhiteSpaceChanges, ()) {
   for (const SceneFormat format : formats) {
     const std::string text = disordered(written_scene(format), format);
-    RC_ASSERT(without_blanks(laid_out(text)) == without_blanks(text));
+    RC_ASSERT(without_blanks(tidied(text)) == without_blanks(text));
   }
 }
 
 RC_GTEST_PROP(LayoutLaws, CommentsStay, ()) {
   const std::string text = disordered(written_scene(SceneFormat::xml), SceneFormat::xml);
-  RC_ASSERT(comments_of(laid_out(text)) == comments_of(text));
+  RC_ASSERT(comments_of(tidied(text)) == comments_of(text));
 }
 
 RC_GTEST_PROP(LayoutLaws, TheSceneStays, ()) {
   for (const SceneFormat format : formats) {
     const std::string text = disordered(written_scene(format), format);
     const Reading before = read(text);
-    const Reading after = read(laid_out(text));
+    const Reading after = read(tidied(text));
     RC_ASSERT(before.scene == after.scene);
     RC_ASSERT(same_meaning(before.scene, after.scene));
     RC_ASSERT(before.diagnostics.list().size() == after.diagnostics.list().size());

@@ -25,7 +25,8 @@ TEST(OtherFiles, AreIdentified) {
       {"\x89PNG\r\n\x1a\n", "a picture"},
       {"# Blender\nmtllib a.mtl\nv 1 2 3\n", "an OBJ mesh"},
       {"v  -1 2 3\nv 1 2 3\n", "an OBJ mesh"},
-      {"[IO]\nscene = a.json\n", "a configuration of the course's ray or path tracer, not a scene"}};
+      {"[IO]\nscene = a.json\n",
+       "a configuration of the course's ray or path tracer, not a scene"}};
   for (const auto& [text, what] : files) {
     const Reading reading = read(text);
     EXPECT_THAT(messages(reading.diagnostics), ElementsAre(HasSubstr(what)));

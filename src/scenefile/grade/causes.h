@@ -25,7 +25,7 @@ struct MistakenPixel {
   /// Of the color, if these add up to it: ambient light, that of each light of the scene, and what
   /// mirrors and glass add. Without `lights`, they are not known.
   glm::dvec3 ambient{0};
-  std::vector<LightParts> lights;
+  std::vector<LightParts> lights = {};
   glm::dvec3 followed{0};
 };
 

@@ -4,6 +4,7 @@
 #include "scenefile/format/read_config.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/folder.h"
+#include "scenefile/verbs/compare_paths.h"
 
 #include <fmt/format.h>
 

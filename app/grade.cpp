@@ -212,9 +212,9 @@ ExitCode answer_share(const Options& options, std::size_t found, std::size_t gra
   }
   if (!options.quiet) {
     say_afterwards([&] {
-      return fmt::format("{}: share {} of {}: {} student{} graded, {} found\n",
-                         escaped(options.store), options.part->index + 1, options.part->count,
-                         graded, graded == 1 ? "" : "s", found);
+      return fmt::format("{}: share {} of {}: {} graded, {} found\n", escaped(options.store),
+                         options.part->index + 1, options.part->count, counted(graded, "student"),
+                         found);
     });
   }
   return ExitCode::fine;

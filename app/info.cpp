@@ -116,8 +116,8 @@ void append_face_materials(std::string& text, const std::string& name, const Mes
   }
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const FaceMaterial& m = mesh.materials[i];
-    text += fmt::format("    {}: {} triangle{}{}\n", escaped(m.name), triangles[i],
-                        triangles[i] == 1 ? "" : "s", face_material_text(m));
+    text += fmt::format("    {}: {}{}\n", escaped(m.name), counted(triangles[i], "triangle"),
+                        face_material_text(m));
   }
 }
 

@@ -208,21 +208,19 @@ Outcome draw_with_store(const Options& options, LoadedScene& scene, RenderReport
 
 std::string work_text(const RenderReport& report) {
   if (!report.gl.renderer.empty()) {
-    return fmt::format("{} draw call{} for {} object{}", report.gl.draw_calls,
-                       report.gl.draw_calls == 1 ? "" : "s", report.gl.objects,
-                       report.gl.objects == 1 ? "" : "s");
+    return fmt::format("{} for {}", counted(report.gl.draw_calls, "draw call"),
+                       counted(report.gl.objects, "object"));
   }
   const std::uint64_t rays =
       report.stats.primary_rays + report.stats.shadow_rays + report.stats.secondary_rays;
   const std::string samples = report.options.mode == Mode::path
-                                  ? fmt::format("{} sample{} per pixel, ", report.options.samples,
-                                                report.options.samples == 1 ? "" : "s")
+                                  ? counted(report.options.samples, "sample") + " per pixel, "
                                   : std::string();
   return fmt::format("{}{:.2f} million rays", samples, static_cast<double>(rays) / 1e6);
 }
 
 std::string bands_text(std::size_t count, std::string_view done) {
-  return fmt::format("{} band{} {}", count, count == 1 ? "" : "s", done);
+  return fmt::format("{} {}", counted(count, "band"), done);
 }
 
 std::string summary_text(const Options& options, const RenderReport& report) {

@@ -157,6 +157,11 @@ std::string_view json_string_at(std::string_view text, std::size_t at) {
   return end < text.size() ? text.substr(at, end + 1 - at) : std::string_view();
 }
 
+// Where the value of a key begins; npos if there is none.
+std::size_t value_of_key(std::string_view text, std::size_t at, std::string_view key) {
+  return text.find_first_not_of(" \t\r\n:", at + key.size());
+}
+
 bool json_string_is(std::string_view string, std::string_view value) {
   JsonTape tape;
   return parse_json(string, 1, tape).fault == JsonFault::none && tape.string(0) == value;
@@ -182,7 +187,7 @@ Changes json_changes(std::string_view text, std::size_t at, const Diagnostic& fi
   if (key.empty()) {
     return {};
   }
-  const std::size_t value = text.find_first_not_of(" \t\r\n:", at + key.size());
+  const std::size_t value = value_of_key(text, at, key);
   const std::string_view string = value != std::string_view::npos && text[value] == '"'
                                       ? json_string_at(text, value)
                                       : std::string_view();
@@ -279,7 +284,7 @@ class WrittenPlaces {
  public:
   WrittenPlaces(std::string_view text, const Edit& back) : file_(text), back_(back) {}
 
-  // At the place of the error, or in the value of the JSON key there.
+  // Whether the edit has written at the place of the error, or in the value of the JSON key there.
   bool have(const Diagnostic& d) const {
     const std::optional<std::size_t> at = file_.offset(d.location);
     if (d.severity != Severity::error || !at || *at >= file_.text().size()) {
@@ -288,8 +293,7 @@ class WrittenPlaces {
     const std::string_view key = file_.text()[*at] == '"' && !file_.is_xml()
                                      ? json_string_at(file_.text(), *at)
                                      : std::string_view();
-    return wrote(*at) ||
-           (!key.empty() && wrote(file_.text().find_first_not_of(" \t\r\n:", *at + key.size())));
+    return wrote(*at) || (!key.empty() && wrote(value_of_key(file_.text(), *at, key)));
   }
 
  private:

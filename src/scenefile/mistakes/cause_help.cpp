@@ -253,20 +253,6 @@ static_assert(in_order());
 
 }  // namespace
 
-std::string_view name_of(Cause cause) {
-  static constexpr std::array<std::string_view, cause_count> names{
-      "vertical-flip",    "horizontal-flip", "gamma",         "rounding",   "swapped-channels",
-      "half-pixel-shift", "ambient",         "diffuse",       "specular",   "blinn",
-      "attenuation",      "normals",         "shadows",       "acne",       "texture",
-      "recursion-depth",  "spot-falloff",    "camera",        "transforms", "shapes",
-      "nearest-hit",      "lights",          "reflection",    "refraction", "overflow",
-      "background",       "brightness",      "black",         "features",   "samples",
-      "scene-edited",     "tessellation",    "facets",        "culling",    "clipping",
-      "filter",           "viewport",        "light-samples", "scattering", "path-length",
-      "specular-paths"};
-  return names[static_cast<std::size_t>(cause)];
-}
-
 const CauseHelp& help_of(Cause cause) {
   return pages[static_cast<std::size_t>(cause)];
 }

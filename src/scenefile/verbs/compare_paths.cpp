@@ -66,7 +66,10 @@ RenderStatus judge_by_truth(const LoadedScene& scene, const RenderOptions& optio
                             const Progress& progress, const DecodedPicture& mine, PathTruth& truth,
                             PathVerdict& verdict) {
   verdict = judge_path(truth, mine);
-  const std::vector<VariantPicture> first = truth.variants;
+  if (verdict.noisy_variants.empty()) {
+    return RenderStatus::complete;
+  }
+  std::vector<VariantPicture> first = truth.variants;
   RenderStatus drawn = RenderStatus::complete;
   for (const Variant& variant : verdict.noisy_variants) {
     const auto is_it = [&](const VariantPicture& v) { return v.variant == variant; };
@@ -84,10 +87,10 @@ RenderStatus judge_by_truth(const LoadedScene& scene, const RenderOptions& optio
     }
     truth.finer_variants.push_back(truth.variants.back());
   }
-  if (drawn == RenderStatus::complete && !verdict.noisy_variants.empty()) {
+  if (drawn == RenderStatus::complete) {
     verdict = judge_path(truth, mine);
   }
-  truth.variants = first;  // other pictures are judged as if they were alone
+  truth.variants = std::move(first);  // other pictures are judged as if they were alone
   return drawn;
 }
 

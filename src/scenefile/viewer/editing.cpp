@@ -461,9 +461,8 @@ void correct_text(Session& session) {
     return;
   }
   make_edit(session, change_to(text, fixed.text));
-  const std::size_t made = fixed.made.size();
   say(session,
-      fmt::format("corrected {} mistake{}; Ctrl+Z takes it back", made, made == 1 ? "" : "s"));
+      fmt::format("corrected {}; Ctrl+Z takes it back", counted(fixed.made.size(), "mistake")));
 }
 
 void undo_edit(Session& session) {

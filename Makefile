@@ -197,7 +197,7 @@ asan-files: ## the same for code that reads and writes files, with the fuzz targ
 	  scripts/test-summary build/asan/tests.xml && exit $$status
 tsan: ## the multithreaded tests with ThreadSanitizer
 	@scripts/install-deps core tests
-	@cmake --preset tsan && cmake --build --preset tsan --target $(call ROOM_TESTS,trace golden app viewer)
+	@cmake --preset tsan && cmake --build --preset tsan --target scenefile-window $(call ROOM_TESTS,trace path golden app viewer)
 	@ctest --preset tsan -j $(JOBS)
 
 .PHONY: coverage

@@ -10,7 +10,7 @@ list(APPEND CMAKE_MODULE_PATH "${CMAKE_CURRENT_LIST_DIR}/find")
 set(web_flags "-fno-slp-vectorize -fno-vectorize -fwasm-exceptions -mllvm -wasm-enable-sjlj")
 set(CMAKE_C_FLAGS_INIT "${web_flags}")
 set(CMAKE_CXX_FLAGS_INIT
-  "${web_flags} -include ${CMAKE_CURRENT_LIST_DIR}/missing_in_libcxx13.h")
+  "${web_flags} -fno-rtti -include ${CMAKE_CURRENT_LIST_DIR}/missing_in_libcxx13.h")
 
 # Calls the compiler directly, with emcc's arguments: emcc takes half a second per source, half of the
 # build time. emcc is used for linking.

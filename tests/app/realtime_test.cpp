@@ -35,7 +35,7 @@ struct RealtimeProgram : ProgramFolder {
   static bool has_gl(const ProgramRun& run) { return run.status != 3; }
 };
 
-void is_refused(std::vector<std::string> words, const std::string& text) {
+void is_refused(const std::vector<std::string>& words, const std::string& text) {
   const ProgramRun run = run_program(words);
   EXPECT_EQ(run.status, 2) << run.err;
   EXPECT_THAT(run.err, HasSubstr(text));

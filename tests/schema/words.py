@@ -81,6 +81,19 @@ def default_of(value, keys):
     return text and re.sub(r"[\[\]]", "", text).replace(",", " ")
 
 
+def value_of(value):
+    """What is written: its kind and its range."""
+    kinds = {"vector": "3 numbers", "color": "3 numbers", "coefficients": "3 numbers", "choice": "word", "text": "text",
+             "image": "file, 2 numbers"}
+    number = "{:g}".format
+    bounds = [words + number(value[key]) for key, words in
+              {"minimum": "at least ", "exclusiveMinimum": "above ", "maximum": "at most ", "exclusiveMaximum": "below "}
+              .items() if key in value]
+    if "minimum" in value and "maximum" in value:
+        bounds = [f"{number(value['minimum'])} to {number(value['maximum'])}"]
+    return ", ".join([kinds.get(value["kind"], "number"), *bounds])
+
+
 def problems_of_page(words):
     rows = list(rows_of_page())
     keys = {key: word for block in words["json"].values() for key, word in block.items()}
@@ -90,7 +103,7 @@ def problems_of_page(words):
         if row is None:
             yield f"docs/format.md has no row of {names}"
             continue
-        wanted = {"default": default_of(value, keys), "used by": ", ".join(value.get("used_by", [])) or None}
+        wanted = {"value": value_of(value), "default": default_of(value, keys), "used by": ", ".join(value.get("used_by", [])) or None}
         for column, text in wanted.items():
             if text is not None and row[column] != text:
                 yield f"docs/format.md, row of {names}: {column} is {row[column]}, not {text}"

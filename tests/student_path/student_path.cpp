@@ -202,7 +202,7 @@ class Tracer {
       return light +
              (m.illum == 5 ? mirror(r, hit, m, depth) : glass(r, hit, m, depth)) / chance(p);
     }
-    const dvec3 n = dot(hit.n, r.d) < 0 ? hit.n : dot(hit.flat, r.d) < 0 ? -hit.n : -hit.n;
+    const dvec3 n = dot(hit.n, r.d) < 0 ? hit.n : -hit.n;
     if (limit == 0) {
       return light;
     }

@@ -1,5 +1,6 @@
 // fmt 9 as a library, from its headers, which are all that its package has for other systems. The
-// same as its own format.cc, but without locales, which would add to the size of the modules.
+// same as its own format.cc, but without locales and long doubles, which would add to the size of the modules.
+#define FMT_USE_LONG_DOUBLE 0
 #define FMT_STATIC_THOUSANDS_SEPARATOR ','
 #include <fmt/format-inl.h>
 

@@ -22,6 +22,7 @@ struct ScatteredRays {
   alignas(64) double cosine[lanes] = {};  // of the angle between ray and normal
   unsigned through = 0;                   // bits: refracted, not mirrored inside
   unsigned entering = 0;                  // bits: from the outside
+  unsigned within = 0;                    // bits: the refracted ray is inside of the object
 };
 
 inline void store_rows(const Derivatives& derivatives, double (&to)[2][3][lanes]) {
@@ -77,6 +78,7 @@ inline void find_refracted(const WavefrontScene& scene, const RayQueue& rays,
   store(-dot(facing, direction), scattered.cosine);
   scattered.through = bits(found.through);
   scattered.entering = inner ? 0 : bits(entering);
+  scattered.within = ~(scattered.through ^ scattered.entering);
 }
 
 // The path of ray r.
@@ -239,18 +241,17 @@ inline void scatter_point(const WavefrontScene& scene, WavefrontMemory& memory,
     add_child(scene, memory, to, next, mirror, parent, counts);
   }
   if (refracts) {
-    const bool through = (scattered.through >> lane & 1) != 0;
     Path next = child_of(path, glass, budget, RayKind::refracted);
     next.depth = depth_behind;
     if (inner) {
       next.inside = path.inside->around;
-    } else if (through == entering) {
+    } else if ((scattered.within >> lane & 1) != 0) {
       next.inside = enter(scene, memory, points, k, path);
     }
     redirect(scene, points, k, lane, scattered.refracted, scattered.refracted_derivatives, next);
     add_child(scene, memory, to, next, glass, parent, counts);
     if constexpr (recording) {
-      memory.recorder->rays.back().total_reflection = !through;
+      memory.recorder->rays.back().total_reflection = (scattered.through >> lane & 1) == 0;
     }
   }
 }

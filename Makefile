@@ -253,7 +253,7 @@ ci-full: ## all checks, including slow ones: .ci/run, clang-tidy, Debian 13, Ble
 	@.ci/full
 
 .PHONY: release-check
-release-check: ## what must work before a release: both Debians, packages, wheel, npm, browsers, documentation, checksums
+release-check: ## what must work before a release: .ci/run, Debian 13, packages, wheel, npm, browsers, documentation, checksums
 	@.ci/release
 
 .PHONY: portable

@@ -1,8 +1,11 @@
 # For scripts that run many checks: goes on after a failure, lists each check with its time, fails if one failed.
-# record: a file, or empty. Checks that it lists as passed are not run again.
+# Without uncommitted changes, what passed on this commit (build/checks-COMMIT) is not run again.
 # shellcheck shell=bash
-times="" failed=0
-record=${record:-}
+times="" failed=0 record=""
+if [ -z "$(git status --porcelain)" ]; then
+  mkdir -p build
+  record=build/checks-$(git rev-parse HEAD)
+fi
 
 check() {  # COMMAND...
   local status=0 began=$SECONDS before=""

@@ -208,6 +208,7 @@ void bind_gradebook(py::module_& m) {
   py::class_<Gradebook>(m, "Gradebook", "The graded pictures of a class.")
       .def_property_readonly("students", [](const Gradebook& b) { return tuple_of(b.students); })
       .def_property_readonly("ignored", [](const Gradebook& b) { return tuple_of(b.ignored); })
+      .def_property_readonly("notes", [](const Gradebook& b) { return tuple_of(b.notes); })
       .def_property_readonly("passed", &Gradebook::all_passed)
       .def(
           "html",

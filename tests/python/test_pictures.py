@@ -312,6 +312,7 @@ def test_grade(ball, tmp_path, program):
     scene.globals.ambient = 0
     scene.render(size=(96, 72), profile="course").save(tmp_path / "class" / "bob" / "ball.png")
     book = scenefile.grade(tmp_path / "class", tmp_path / "right", tmp_path / "scenes")
+    assert book.notes == ()
     assert [(s.name, s.passed) for s in book.students] == [("ada", 1), ("bob", 0), ("eve", 0)]
     assert [s.pictures[0].verdict for s in book.students] == ["passed", "differs", "missing"]
     assert "ambient" in [c.name for c in book.students[1].pictures[0].causes]

@@ -139,7 +139,7 @@ test('requests are answered while nothing is due', async () => {
     position: { line: 1, character: scene.split('\n')[1].indexOf('<id ') + 1 },
   });
   const labels = result.map(({ label }) => label);
-  assert.deepEqual(labels.slice(0, 3), ['id', 'color', 'function']);
+  assert.deepEqual(labels.slice(0, 3), ['id', 'type', 'color']);
   const { error } = await client.request('textDocument/nothing', {});
   assert.equal(error.code, -32601);
 });

@@ -191,11 +191,9 @@ class Visitor {
     if (type == AE_IFDIR) {
       return false;
     }
-    if (name == nullptr) {
-      file.problem = "its name cannot be read";
-      return true;
+    if (name != nullptr) {
+      set_path(file, name);
     }
-    set_path(file, name);
     if (is_junk_path(file.path)) {
       return false;
     }
@@ -205,6 +203,8 @@ class Visitor {
       file.problem = "a symbolic link, not a file";
     } else if (type != AE_IFREG) {
       file.problem = "not a regular file";
+    } else if (file.problem.empty() && file.path.empty()) {
+      file.problem = "its name cannot be read";
     } else if (file.problem.empty() && library_.entry_is_encrypted(entry) != 0) {
       file.problem = "protected by a password";
     }

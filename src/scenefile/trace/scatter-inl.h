@@ -78,6 +78,8 @@ inline void find_refracted(const WavefrontScene& scene, const RayQueue& rays,
   store(-dot(facing, direction), scattered.cosine);
   scattered.through = bits(found.through);
   scattered.entering = inner ? 0 : bits(entering);
+  // For all lanes at once: with -O1, GCC 12 takes `entering` of a single lane for false when it
+  // compares.
   scattered.within = ~(scattered.through ^ scattered.entering);
 }
 

@@ -2,9 +2,9 @@
 # Without uncommitted changes, what passed on this commit (build/checks-COMMIT) is not run again.
 # shellcheck shell=bash
 times="" failed=0 record=""
-if [ -z "$(git status --porcelain)" ]; then
+if commit=$(git rev-parse HEAD) && [ -z "$(git status --porcelain)" ]; then
   mkdir -p build
-  record=build/checks-$(git rev-parse HEAD)
+  record=build/checks-$commit
 fi
 
 check() {  # COMMAND...

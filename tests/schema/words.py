@@ -103,7 +103,8 @@ def problems_of_page(words):
         if row is None:
             yield f"docs/format.md has no row of {names}"
             continue
-        wanted = {"value": value_of(value), "default": default_of(value, keys), "used by": ", ".join(value.get("used_by", [])) or None}
+        wanted = {"value": value_of(value), "default": default_of(value, keys),
+                  "used by": ", ".join(value.get("used_by", [])) or None}
         for column, text in wanted.items():
             if text is not None and row[column] != text:
                 yield f"docs/format.md, row of {names}: {column} is {row[column]}, not {text}"

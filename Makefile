@@ -106,24 +106,13 @@ realtime: ## REALTIME=DIR: compare with every picture of the assignment Realtime
 	$(call compile,scenefile_realtime)
 	@$(BUILD)/tests/conformance/scenefile_realtime "$(REALTIME)" out/realtime
 
-.PHONY: mistakes
-mistakes: ## count the right and wrong causes that diff names for pictures with planted mistakes; CORPUS=DIR: also for the course's scenes
-	@scripts/install-deps core tests
-	@$(MAKE) $(QUIET) configure-tests
-	$(call compile,scenefile)
-	$(call compile,scenefile_student)
-	@CORPUS="$(CORPUS)" python3 tests/student/mistakes.py --build $(BUILD)
-	@python3 tests/student/mistakes.py --build $(BUILD) --combinations 40
-	@python3 tests/student/mistakes.py --build $(BUILD) --clean 120
-	@python3 tests/student/mistakes.py --build $(BUILD) --strange
-
 .PHONY: mistakes-ledger
-mistakes-ledger: ## write down how diff finds the causes of a sample of these pictures, in out/ledger.tsv; ledger.py compares two
+mistakes-ledger: ## PER_MISTAKE=1: ask diff about pictures with planted mistakes, and write its answers to out/ledger.tsv; CORPUS=DIR: also the course's scenes
 	@scripts/install-deps core tests
 	@$(MAKE) $(QUIET) configure-tests
 	$(call compile,scenefile scenefile_student scenefile_ask_causes)
 	@mkdir -p out/mistakes
-	@python3 tests/student/ledger.py write out/ledger.tsv --build $(BUILD) --folder out/mistakes
+	@CORPUS="$(CORPUS)" python3 tests/student/ledger.py write out/ledger.tsv --build $(BUILD) --folder out/mistakes --per-mistake $(or $(PER_MISTAKE),1)
 
 .PHONY: path-mistakes
 path-mistakes: ## the same for path-traced pictures

@@ -6,21 +6,19 @@
 #include "scenefile/asset/image_file.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/file.h"
+#include "scenefile/io/folder.h"
 #include "scenefile/io/item.h"
 #include "scenefile/trace/layers.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <system_error>
 #include <utility>
 
 namespace scenefile::app {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 // Whether the bytes may be what is left of an EXR file.
 bool begins_like_exr(std::string_view bytes) {
@@ -79,16 +77,15 @@ BandStore::State BandStore::state_of(const RowRange& band, std::string_view byte
 
 Outcome BandStore::open(Context& context) {
   context.phase = "reading the store";
-  std::error_code error;
   std::vector<RowRange> found;
-  fs::directory_iterator entry(options_.store, error);
-  if (error == std::errc::no_such_file_or_directory) {
-    return {};
-  }
-  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
-    if (const std::optional<RowRange> band = band_of_name(entry->path().filename().string())) {
+  const std::error_code error = visit_entries(options_.store, [&](const FolderEntry& entry) {
+    if (const std::optional<RowRange> band = band_of_name(entry.name)) {
       found.push_back(*band);
     }
+    return true;
+  });
+  if (error == std::errc::no_such_file_or_directory) {
+    return {};
   }
   if (error) {
     return {ExitCode::environment, fmt::format("{}: cannot read the folder of --store: {}",

@@ -31,7 +31,7 @@ const scene = readFileSync('scene.xml', 'utf8');
   assert.equal(document.getText(finding.range), '<difuse');
 
   const completions = await ask('CompletionItem', 'provideCompletionItems', at('id v='), editor.token, { triggerKind: 0 });
-  assert.deepEqual(completions.slice(0, 3).map(({ label }) => label), ['id', 'color', 'function']);
+  assert.deepEqual(completions.slice(0, 3).map(({ label }) => label), ['id', 'type', 'color']);
   const { contents } = await ask('Hover', 'provideHover', at('position'));
   assert.match(contents.value, /\w+ \w+/);
   const outline = await ask('DocumentSymbol', 'provideDocumentSymbols');

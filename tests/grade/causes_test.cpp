@@ -1,6 +1,6 @@
 // The student's tracer, which shares no code with the model, makes each mistake on generated
 // scenes. Each must be named on three of four scenes, and no mistake may be named for correct
-// pictures. `make mistakes` counts the answers for many more pictures.
+// pictures. `make mistakes-ledger` counts the answers for many more pictures.
 
 #include "scenefile/grade/causes.h"
 

@@ -3,6 +3,7 @@
 #include "io/temp_folder.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <utility>
@@ -25,15 +26,38 @@ TEST(Folder, StampsDistinguishVersions) {
   EXPECT_EQ(stamp_of(folder.path("none")), FileStamp());
 }
 
-TEST(Folder, ListsOnlyFiles) {
+TEST(Folder, EntriesHaveTheKindOfWhatTheyLeadTo) {
   const TempFolder folder;
-  folder.write("b");
   folder.write("a/inner");
-  folder.write("c");
-  EXPECT_EQ(files_in(folder.path()), (std::vector<std::string>{"b", "c"}));
-  EXPECT_EQ(files_in(folder.path(), 1).size(), 1U);
-  EXPECT_TRUE(files_in(folder.path("none")).empty());
-  EXPECT_TRUE(is_folder(folder.path("a")));
+  folder.write("b");
+  std::filesystem::create_symlink("a", folder.path("to-folder"));
+  std::filesystem::create_symlink("b", folder.path("to-file"));
+  std::filesystem::create_symlink("nowhere", folder.path("to-nothing"));
+  ASSERT_EQ(::mkfifo(folder.path("pipe").c_str(), 0600), 0);
+  std::string kinds;
+  for (const FolderEntry& entry : entries_of(folder.path())) {
+    EXPECT_EQ(entry.path, folder.path(entry.name));
+    kinds += entry.name + (entry.link ? " link" : "") + (entry.folder ? " folder" : "") +
+             (entry.file ? " file" : "") + (entry.missing ? " missing\n" : "\n");
+  }
+  EXPECT_EQ(kinds,
+            "a folder\nb file\npipe\nto-file link file\nto-folder link folder\n"
+            "to-nothing link missing\n");
+  int visited = 0;
+  EXPECT_FALSE(
+      visit_entries(folder.path() + "/", [&](const FolderEntry&) { return ++visited < 2; }));
+  EXPECT_EQ(visited, 2);
+}
+
+TEST(Folder, SaysWhyItCannotBeRead) {
+  const TempFolder folder;
+  std::string problem;
+  EXPECT_TRUE(entries_of(folder.path("none"), &problem).empty());
+  EXPECT_EQ(problem, "No such file or directory");
+  folder.write("b");
+  EXPECT_EQ(visit_entries(folder.path("b"), [](const FolderEntry&) { return true; }),
+            std::errc::not_a_directory);
+  EXPECT_TRUE(is_folder(folder.path()));
   EXPECT_FALSE(is_folder(folder.path("b")));
 }
 

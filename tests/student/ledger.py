@@ -6,9 +6,15 @@ and wrong answers do not get worse.
   ledger.py write LEDGER.tsv --build build/release --folder DIR
   ledger.py compare BEFORE.tsv AFTER.tsv
 
-`write` asks about a sample of the pictures of mistakes.py: single mistakes, the same pictures as JPEGs, combinations,
-pictures of correct programs, and mistakes of no known family, for which no mistake may be named. The pictures are
-kept in DIR; remove it when the student's tracer changes. --sets NAME,NAME: only these. --per-mistake 0: all scenes.
+`write` asks about single mistakes, the same pictures as JPEGs, combinations, pictures of correct programs, and mistakes
+of no known family, for which no mistake may be named. It fails if more than 2 % of the answers are wrong, or if one
+names a mistake of a correct program. The pictures are kept in DIR; remove it when the student's tracer changes.
+
+  --sets NAME,NAME            only these
+  --per-mistake 0             each mistake in all scenes, not in one
+  --only light                of single mistakes only those with this in their names
+  --habit habit-four-samples  every picture also has this harmless difference
+  CORPUS=DIR                  also the course's scenes (references.tsv)
 """
 import argparse, collections, csv, json, os, random, subprocess, sys, threading
 from concurrent.futures import ThreadPoolExecutor
@@ -19,6 +25,7 @@ COLUMNS = ["set", "scene", "mistakes", "expected", "verdict", "route", "rays", "
 SETS = ["singles", "jpeg", "combinations", "clean", "strange"]
 QUALITY = 90
 GOOD = ("right", "tie")
+MOST_WRONG = 0.02
 
 
 def chosen(bench, options):
@@ -34,7 +41,7 @@ def chosen(bench, options):
             for index, mistake in enumerate(strange if name == "strange" else known):
                 first = (index + options.seed) % len(scenes)
                 order = scenes[first:] + scenes[:first]
-                if name != "jpeg" or index % 2 == 0:
+                if any(part in mistake for part in options.only.split(",")) and (name != "jpeg" or index % 2 == 0):
                     yield name, [(s, (mistake,)) for s in order], options.per_mistake
         elif name == "clean":
             pairs = [(s, (h,)) for s in scenes for h in habits]
@@ -52,7 +59,8 @@ def chosen(bench, options):
 def drawn(bench, options):
     """Sets, scenes, mistakes and pictures to ask about: kept in the folder, because drawing takes longer than asking."""
     path = os.path.join(bench.folder, "pictures-%s.json" % "-".join(
-        str(w) for w in (options.sets, options.per_mistake, options.combinations, options.clean, options.size, options.seed)))
+        str(w) for w in (options.sets, options.per_mistake, options.combinations, options.clean, options.size, options.seed, options.only,
+         options.habit, options.corpus_size, bool(os.environ.get("CORPUS")))))
     if not os.path.exists(path):
         def visible(task):
             name, pictures, count = task
@@ -95,7 +103,7 @@ def write(options):
 
     def row(name, scene, members, picture):
         said = asker.ask(scene[2], picture, scene[1], QUALITY if name == "jpeg" else 0)
-        verdict, claims, _, partial = bench.judged(scene, members, picture, said, 0)
+        verdict, claims, partial = bench.judged(scene, members, picture, said)
         return [name, scene[0], "+".join(members), "; ".join("|".join(sorted(bench.mistakes[m][1])) for m in members),
                 verdict, said["route"], said["rays"], "%.3f" % said["seconds"], " | ".join(claims), partial]
 
@@ -105,7 +113,12 @@ def write(options):
         for done in pool.map(row, *zip(*drawn(bench, options))):
             table.writerow(done)
             file.flush()
-    show(read(options.ledger))
+    ledger = read(options.ledger)
+    show(ledger)
+    wrong = [row for row in ledger.values() if row["verdict"] == "wrong"]
+    for row in wrong:
+        print("wrong:", row["set"], row["scene"], row["mistakes"], "-", row["claims"])
+    return 1 if len(wrong) > MOST_WRONG * len(ledger) or any(row["set"] == "clean" for row in wrong) else 0
 
 
 def read(path):
@@ -175,8 +188,13 @@ def main():
     one.add_argument("--clean", type=int, default=40)
     one.add_argument("--size", default="240x180")
     one.add_argument("--seed", type=int, default=7)
+    one.add_argument("--only", default="", help="parts of names, with commas")
+    one.add_argument("--habit", default="", help="a harmless difference that the student's program has in addition")
+    one.add_argument("--corpus-size", default="240x180", help="of the course's scenes; own: that of the references")
+    one.add_argument("--patience", type=float, default=20, help="seconds for one picture of the student's tracer")
+    one.add_argument("--visible", type=float, default=0.005, help="share of pixels that must change")
     one.add_argument("--jobs", type=int, default=2)
-    one.set_defaults(program=None, habit="", corpus_size="240x180", patience=20, visible=0.005)
+    one.set_defaults(program=None)
     two = commands.add_parser("compare")
     two.add_argument("before")
     two.add_argument("after")

@@ -1,18 +1,6 @@
 #!/usr/bin/env python3
-"""Asks `scenefile diff --scene` for the causes of pictures that the student's tracer drew with known
-mistakes, and counts right, wrong and missing answers.
-
-  mistakes.py --build build/release                 every visible mistake over our own scenes
-  mistakes.py --build build/release --combinations 40
-  mistakes.py --build build/release --clean 120     pairs from correct programs: no mistake may be named
-  mistakes.py --build build/release --strange       pictures with mistakes of no known family: no mistake may be named
-  CORPUS=DIR mistakes.py ...                        and those of the course (references.tsv)
-  mistakes.py --per-mistake 2 --only light          a sample, some mistakes
-  mistakes.py --habit habit-four-samples            every picture also has this harmless difference
-  mistakes.py --seed 8 --folder DIR                 other scenes and combinations; keeps the pictures
-"""
-import argparse, collections, json, os, random, subprocess, tempfile, threading, time
-from concurrent.futures import ThreadPoolExecutor
+"""Pictures that the student's tracer drew with known mistakes, and whether an answer of `diff` names them (ledger.py)."""
+import json, os, subprocess, tempfile, threading
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 
@@ -124,18 +112,8 @@ class Bench:
         pictures = (self.draw(scene, kept + (m,) + habit) for m in others if replaces for habit in ((), samples))
         return any(p and self.share_off(out, p) < 0.002 for p in pictures)
 
-    def ask(self, scene, mistakes, out):
-        start = time.time()
-        answer = run([self.program, "diff", scene[2], out, "--scene", scene[1], "--json"])
-        seconds = time.time() - start
-        try:
-            said = json.loads(answer.stdout)
-        except ValueError:
-            return ("error", [], seconds, answer.stderr)
-        return self.judged(scene, mistakes, out, said, seconds)
-
-    def judged(self, scene, mistakes, out, said, seconds):
-        """Verdict, claims, seconds and partial claims of an answer of `diff --json`."""
+    def judged(self, scene, mistakes, out, said):
+        """Verdict, claims and partial claims of an answer of `diff --json`."""
         found = [c["cause"] for c in said["causes"] if c["cause"] != "rounding"]
         rivals = [c["cause"] for c in said.get("rivals", [])]
         words = [c["what"] for c in said["causes"]]
@@ -143,10 +121,10 @@ class Bench:
         if any(self.mistakes[m][0] in UNKNOWN for m in mistakes):
             # Some strange pictures are those of another scene.
             found = [f for f in found if not any(f in w for w in wanted)]
-            return ("wrong" if found else "right", words, seconds, "; ".join(c["what"] for c in said.get("partial", [])))
+            return ("wrong" if found else "right", words, "; ".join(c["what"] for c in said.get("partial", [])))
         # All black pictures are equal, whatever the mistake is.
         if found == ["black"]:
-            return ("right", words, seconds, "")
+            return ("right", words, "")
         # Features of the reference that are not drawn are notes beside claims.
         noted = found + [c["cause"] for c in said.get("notes", [])]
         named = [any(f in w for f in noted) for w in wanted]
@@ -161,97 +139,4 @@ class Bench:
             verdict = "right"
         else:
             verdict = "part" if any(named) else "silent"
-        return (verdict, words, seconds, "; ".join(c["what"] for c in said.get("partial", [])))
-
-
-def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--build", default="build/release")
-    parser.add_argument("--program", help="a scenefile other than the build's")
-    parser.add_argument("--size", default="240x180")
-    parser.add_argument("--only", default="", help="parts of names, with commas")
-    parser.add_argument("--scene", default="")
-    parser.add_argument("--per-mistake", type=int, default=0, help="scenes per mistake; 0: all")
-    parser.add_argument("--combinations", type=int, default=0)
-    parser.add_argument("--clean", type=int, default=0, help="number of pairs from correct programs")
-    parser.add_argument("--strange", action="store_true", help="mistakes of no known family")
-    parser.add_argument("--corpus-size", default="240x180", help="of the course's scenes; own: that of the references")
-    parser.add_argument("--patience", type=float, default=20, help="seconds for one picture of the student's tracer")
-    parser.add_argument("--visible", type=float, default=0.005, help="share of pixels that must change")
-    parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--verbose", action="store_true")
-    parser.add_argument("--seed", type=int, default=7)
-    parser.add_argument("--habit", default="", help="a harmless difference that the student's program has in addition")
-    parser.add_argument("--folder", help="folder in which to keep the pictures")
-    options = parser.parse_args()
-    bench = Bench(options)
-    scenes = [s for s in bench.scenes if options.scene in s[0]]
-    for scene in scenes:
-        bench.clean_picture(scene)
-    tasks = []
-    chance = random.Random(options.seed)
-    scenes = [s for s in scenes if bench.clean[s[0]] is not None]
-    habits = [m for m in bench.mistakes if bench.mistakes[m][0] == "habits"]
-    if options.clean:
-        choices = [(s, (h,)) for s in scenes for h in habits]
-        choices += [(s, (a, b)) for s in scenes for a in habits for b in habits if a < b]
-        chance.shuffle(choices)
-        tasks = choices[:options.clean]
-    elif options.combinations:
-        names = [m for m in bench.mistakes if bench.mistakes[m][0] not in UNKNOWN and
-                 m not in ("output-black", "output-half-drawn", "camera-corners", "output-misses-black")]
-        while len(tasks) < 40 * options.combinations:
-            count = 2 if chance.random() < 0.7 else 3
-            chosen = tuple(sorted(chance.sample(names, count)))
-            if len({bench.mistakes[m][0] for m in chosen}) == count:
-                tasks.append((chance.choice(scenes), chosen))
-    else:
-        for index, name in enumerate(m for m in bench.mistakes if any(w in m for w in options.only.split(",")) and
-                                     (bench.mistakes[m][0] == "strange" if options.strange
-                                      else bench.mistakes[m][0] not in UNKNOWN)):
-            first = (index + options.seed) % len(scenes)
-            order = scenes[first:] + scenes[:first]
-            tasks.append((order, (name,)))
-    results = []
-
-    def judge(task):
-        places, mistakes = task
-        answers = []
-        for scene in places if isinstance(places, list) else [places]:
-            if options.combinations and not options.clean and len(results) >= options.combinations:
-                break
-            out = bench.visible(scene, mistakes)
-            if out is None:
-                continue
-            verdict, words, seconds, more = bench.ask(scene, mistakes, out)
-            answers.append((scene[0], mistakes, verdict, words, seconds, more))
-            if verdict != "right" or options.verbose:
-                print("%-7s %-22s %-40s %5.1f s  %s%s" % (verdict, scene[0][-22:], "+".join(mistakes), seconds,
-                                                      " | ".join(words), "  [in part: %s]" % more if more else ""),
-                      flush=True)
-            if options.combinations:
-                results.append(answers[-1])
-            if options.per_mistake and len(answers) >= options.per_mistake:
-                break
-        return answers
-
-    with ThreadPoolExecutor(options.jobs) as pool:
-        answers = [a for list_ in pool.map(judge, tasks) for a in list_]
-    if options.combinations:
-        answers = answers[:options.combinations]
-    table = collections.defaultdict(collections.Counter)
-    for scene, mistakes, verdict, words, seconds, more in answers:
-        family = "clean" if options.clean else "combinations" if len(mistakes) > 1 else bench.mistakes[mistakes[0]][0]
-        table[family][verdict] += 1
-        table["all"][verdict] += 1
-    print("\n%-14s %6s %6s %6s %6s %6s %6s" % ("family", "right", "tie", "part", "wrong", "silent", "error"))
-    for family in sorted(table, key=lambda f: (f == "all", f)):
-        c = table[family]
-        print("%-14s %6d %6d %6d %6d %6d %6d" % (family, c["right"], c["tie"], c["part"], c["wrong"], c["silent"],
-                                             c["error"]))
-    if answers:
-        print("slowest %.1f s" % max(a[4] for a in answers))
-
-
-if __name__ == "__main__":
-    main()
+        return (verdict, words, "; ".join(c["what"] for c in said.get("partial", [])))

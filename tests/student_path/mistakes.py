@@ -6,11 +6,12 @@ mistakes.py --build BUILD [--folder DIR] [--size 128] [--samples 256] [--seeds 1
 
 Draws rooms (rooms.py) with the student's path tracer, each with one mistake, asks, and prints a table: right (the
 mistake is named), in part (a true place or number, no name), silent, wrong. --clean N draws N pictures by right
-programs with other conventions instead; any cause is wrong there.
+programs with other conventions instead; any cause is wrong there. Fails if more than 2 % of the answers are wrong.
 """
 import argparse, concurrent.futures, json, os, random, re, subprocess, sys
 import rooms
 
+MOST_WRONG = 0.02
 ALL = "box glossy mirror glass lamps mixed"
 # word: (rooms that show it, names that are right)
 MISTAKES = {
@@ -170,7 +171,7 @@ def main():
         for case, (scene, out) in zip(listed, pool.map(draw, listed)):
             by_scene.setdefault(scene, []).append((case, out))
     if options.draw_only:
-        return
+        return 0
     counts, rows = {}, []
 
     def ask_about(item):
@@ -193,6 +194,7 @@ def main():
     for row in sorted(rows):
         print("\t".join(row))
     print(", ".join(f"{n} {v}" for v, n in sorted(counts.items())), "of", len(rows))
+    return 1 if not rows or counts.get("wrong", 0) > MOST_WRONG * len(rows) else 0
 
 
-main()
+sys.exit(main())

@@ -43,6 +43,7 @@ bool intersect(Shape shape, const Ray& ray, double t_min, double t_max, ShapeHit
 /// The local surface at a point, for shading, in the space of the point.
 struct Surface {
   glm::dvec3 normal{0, 1, 0};  ///< outward, unit length
+  glm::dvec3 flat{0, 1, 0};    ///< the same, not interpolated between the corners of a triangle
   glm::dvec2 uv{0};            ///< in [0, 1] on shapes, as the file says on meshes; v up
   glm::dvec3 tangent_u{0};     ///< d(point)/du; zero where u is undefined (poles, apex)
   glm::dvec3 tangent_v{0};     ///< d(point)/dv; tangent_u x tangent_v points outward

@@ -2,17 +2,13 @@
 
 #include "scenefile/base/text.h"
 #include "scenefile/io/asset_name.h"
+#include "scenefile/io/folder.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <new>
 #include <set>
-#include <system_error>
 #include <utility>
 
 namespace scenefile {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -24,29 +20,22 @@ std::string base_name_of(std::string_view path) {
 // version control data rather than assets. Does not follow links to folders.
 bool visit(const std::pair<std::string, int>& folder, std::vector<std::string>& files,
            std::vector<std::pair<std::string, int>>& queue, std::size_t& budget) {
-  std::error_code error;
-  fs::directory_iterator it(folder.first, error);
-  for (const fs::directory_iterator end; !error && it != end; it.increment(error)) {
-    if (budget-- == 0) {
-      return false;
+  bool within = true;
+  visit_entries(folder.first, [&](FolderEntry& entry) {
+    within = budget-- != 0;
+    if (!within || is_hidden_name(entry.name)) {
+      return within;
     }
-    const std::string path = it->path().string();
-    std::error_code ignored;
-    if (base_name_of(path).starts_with('.')) {
-      continue;
-    }
-    if (it->symlink_status(ignored).type() == fs::file_type::directory) {
+    if (entry.folder && !entry.link) {
       if (folder.second + 1 < AssetIndex::max_levels) {
-        queue.emplace_back(path, folder.second + 1);
+        queue.emplace_back(std::move(entry.path), folder.second + 1);
       }
-    } else if (it->is_regular_file(ignored)) {
-      files.push_back(path);
+    } else if (entry.file) {
+      files.push_back(std::move(entry.path));
     }
-  }
-  if (error == std::errc::not_enough_memory) {
-    throw std::bad_alloc();
-  }
-  return true;
+    return true;
+  });
+  return within;
 }
 
 bool walk(const std::string& root, std::size_t budget, std::vector<std::string>& files) {

@@ -4,12 +4,15 @@
 #include "scenefile/base/text.h"
 #include "scenefile/io/descriptor.h"
 
+#include <dirent.h>
 #include <sys/stat.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
+#include <new>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -38,20 +41,18 @@ struct Listing {
 
 Listing list(const std::string& folder) {
   Listing listing;
-  const fs::path prefix = folder == "." ? fs::path() : fs::path(folder);
-  for (fs::directory_iterator i(folder, listing.error), end; !listing.error && i != end;
-       i.increment(listing.error)) {
-    const std::string name = i->path().filename().string();
-    std::error_code unknown;
-    if (is_junk_name(name) || is_hidden_name(name)) {
-      continue;
+  listing.error = visit_entries(folder, [&](FolderEntry& entry) {
+    std::string& path = folder == "." ? entry.name : entry.path;
+    if (is_junk_name(entry.name) || is_hidden_name(entry.name)) {
+      return true;
     }
-    if (i->is_directory(unknown) && !i->is_symlink(unknown)) {
-      listing.folders.push_back((prefix / name).string());
-    } else if (i->is_regular_file(unknown) || !i->exists(unknown)) {
-      listing.files.push_back((prefix / name).string());
+    if (entry.folder && !entry.link) {
+      listing.folders.push_back(std::move(path));
+    } else if (entry.file || entry.missing) {
+      listing.files.push_back(std::move(path));
     }
-  }
+    return true;
+  });
   std::sort(listing.files.begin(), listing.files.end(), natural_less);
   std::sort(listing.folders.begin(), listing.folders.end(), natural_less);
   return listing;
@@ -108,31 +109,54 @@ Result<void> remove_file(const std::string& path) {
   return error ? system_error(path, "cannot remove", error.value()) : Result<void>();
 }
 
-std::vector<std::string> files_in(const std::string& folder, std::size_t most) {
-  std::vector<std::string> names;
-  std::error_code error;
-  for (fs::directory_iterator i(folder, error), end; !error && i != end && names.size() < most;
-       i.increment(error)) {
-    std::error_code unknown;
-    if (i->is_regular_file(unknown)) {
-      names.push_back(i->path().filename().string());
+std::error_code visit_entries(const std::string& folder,
+                              const std::function<bool(FolderEntry&)>& visit) {
+  const auto failed = [](int error) {
+    if (error == ENOMEM) {
+      throw std::bad_alloc();
+    }
+    return std::error_code(error, std::generic_category());
+  };
+  // Not std::filesystem: where memory runs out, iterators of GCC 12 end the process.
+  const std::unique_ptr<DIR, int (*)(DIR*)> open(::opendir(folder.c_str()), ::closedir);
+  if (open == nullptr) {
+    return failed(errno);
+  }
+  const std::string prefix = folder.ends_with('/') ? folder : folder + "/";
+  while (true) {
+    errno = 0;
+    const dirent* const entry = ::readdir(open.get());
+    if (entry == nullptr) {
+      return failed(errno);
+    }
+    const std::string_view name = entry->d_name;
+    if (name == "." || name == "..") {
+      continue;
+    }
+    FolderEntry found{std::string(name), prefix + std::string(name)};
+    found.folder = entry->d_type == DT_DIR;
+    found.file = entry->d_type == DT_REG;
+    if (!found.folder && !found.file) {
+      struct stat target {};
+      found.link = is_link(found.path);
+      found.missing = ::stat(found.path.c_str(), &target) != 0;
+      found.folder = S_ISDIR(target.st_mode);
+      found.file = S_ISREG(target.st_mode);
+    }
+    if (!visit(found)) {
+      return {};
     }
   }
-  std::sort(names.begin(), names.end());
-  return names;
 }
 
 std::vector<FolderEntry> entries_of(const std::string& folder, std::string* problem) {
   std::vector<FolderEntry> entries;
-  std::error_code error;
-  for (fs::directory_iterator i(folder, error), end; !error && i != end; i.increment(error)) {
-    const std::string name = i->path().filename().string();
-    std::error_code unknown;
-    if (!is_junk_name(name)) {
-      entries.push_back(
-          {name, i->path().string(), i->is_directory(unknown), i->is_symlink(unknown)});
+  const std::error_code error = visit_entries(folder, [&](FolderEntry& entry) {
+    if (!is_junk_name(entry.name)) {
+      entries.push_back(std::move(entry));
     }
-  }
+    return true;
+  });
   if (error && problem != nullptr) {
     *problem = error.message();
   }

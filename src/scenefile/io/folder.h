@@ -4,8 +4,10 @@
 #include "scenefile/io/file.h"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -41,17 +43,20 @@ std::string path_from(const std::string& folder, const std::string& path);
 /// Removes a file; it is not an error if there is none.
 Result<void> remove_file(const std::string& path);
 
-/// Names of the regular files in a folder, following links; at most `most` names, sorted; empty if
-/// the folder cannot be read.
-std::vector<std::string> files_in(const std::string& folder, std::size_t most = 10000);
-
 /// An entry of a folder.
 struct FolderEntry {
   std::string name;
-  std::string path;     ///< the folder's, and the name
-  bool folder = false;  ///< or a link to one
+  std::string path;  ///< the folder's, and the name
   bool link = false;
+  // Of what links lead to; none of them for devices and the like.
+  bool folder = false;
+  bool file = false;     ///< a regular one
+  bool missing = false;  ///< a link that leads nowhere, or cannot be followed
 };
+/// Visits the entries of a folder, in no order, until `visit` returns false. Returns why the folder
+/// cannot be read.
+std::error_code visit_entries(const std::string& folder,
+                              const std::function<bool(FolderEntry&)>& visit);
 /// The entries of a folder, sorted by name, without junk, but with hidden ones. If it cannot be
 /// read, those until then; `problem` says why.
 std::vector<FolderEntry> entries_of(const std::string& folder, std::string* problem = nullptr);

@@ -16,21 +16,14 @@ SurfacePoint surface_point(const RenderScene& scene, const Assets& assets, const
   point.hit = hit;
   point.material = &scene.materials[hit.material];
   point.position = ray.origin + hit.t * ray.direction;
-  if (hit.shape != Shape::mesh) {
-    point.object = surface_at(hit.shape, hit.face, hit.object_point);
-    point.normal = world_normal(hit.object_from_world, point.object.normal);
-    point.geometric = point.normal;
-    return point;
-  }
-  const Mesh& mesh = assets.meshes[hit.mesh];
-  point.object = surface_at(mesh, hit.triangle, hit.b1, hit.b2, smooth);
-  point.has_uv = !mesh.triangle_uvs.empty();
+  const Mesh* const mesh = hit.shape == Shape::mesh ? &assets.meshes[hit.mesh] : nullptr;
+  point.object = mesh == nullptr ? surface_at(hit.shape, hit.face, hit.object_point)
+                                 : surface_at(*mesh, hit.triangle, hit.b1, hit.b2, smooth);
+  point.has_uv = mesh == nullptr || !mesh->triangle_uvs.empty();
   point.normal = world_normal(hit.object_from_world, point.object.normal);
-  point.geometric = point.normal;
-  if (smooth && !mesh.triangle_normals.empty()) {
-    const Surface flat = surface_at(mesh, hit.triangle, hit.b1, hit.b2, false);
-    point.geometric = world_normal(hit.object_from_world, flat.normal);
-  }
+  point.geometric = point.object.flat == point.object.normal
+                        ? point.normal
+                        : world_normal(hit.object_from_world, point.object.flat);
   return point;
 }
 

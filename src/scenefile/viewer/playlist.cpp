@@ -8,13 +8,13 @@
 namespace scenefile::viewer {
 
 std::vector<std::string> scenes_in(const std::string& folder) {
-  std::vector<std::string> names = files_in(folder);
-  std::erase_if(names, [](const std::string& name) { return !is_scene_name(name); });
-  std::sort(names.begin(), names.end(), natural_less);
-  const std::string prefix = folder.ends_with('/') ? folder : folder + "/";
-  for (std::string& name : names) {
-    name.insert(0, folder == "." ? "" : prefix);
+  std::vector<std::string> names;
+  for (const FolderEntry& entry : entries_of(folder)) {
+    if (entry.file && is_scene_name(entry.name)) {
+      names.push_back(folder == "." ? entry.name : entry.path);
+    }
   }
+  std::sort(names.begin(), names.end(), natural_less);
   return names;
 }
 

@@ -12,7 +12,7 @@ namespace scenefile::path_test {
 namespace {
 
 Lamps lamps_of(const TraceScene& traced) {
-  return Lamps(traced.accelerator().geometry(), traced.assets(), traced.mip_maps());
+  return Lamps(traced.accelerator().geometry(), traced.assets());
 }
 
 TEST(PathAlias, ChoosesByWeightAndKeepsTheRestUniform) {

@@ -4,6 +4,7 @@
 #include "scenefile/trace/edges.h"
 #include "trace/build_scene.h"
 #include "trace/scalar_rays.h"
+#include "trace/scalar_surface.h"
 
 #include <gtest/gtest.h>
 

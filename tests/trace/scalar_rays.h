@@ -1,8 +1,9 @@
 #pragma once
 // Directions and differentials of single rays, by the formulas of the wavefronts for one lane.
 
-#include "scenefile/trace/footprint.h"
 #include "scenefile/trace/optics.h"
+#include "scenefile/trace/ray_differential.h"
+#include "scenefile/trace/surface_point.h"
 #include "scenefile/trace/tracer.h"
 
 namespace scenefile {

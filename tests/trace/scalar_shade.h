@@ -1,7 +1,7 @@
 #pragma once
 // The lighting equation at a point, without reflection and refraction.
 
-#include "scenefile/path/surface_color.h"
+#include "trace/scalar_surface.h"
 #include "scenefile/trace/camera_rays.h"
 #include "trace/recorder.h"
 

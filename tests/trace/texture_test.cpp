@@ -1,5 +1,6 @@
 #include "scenefile/trace/texture_lookup.h"
 #include "trace/build_scene.h"
+#include "trace/scalar_surface.h"
 
 #include <gtest/gtest.h>
 

@@ -532,8 +532,9 @@ std::vector<Tried> likely_additions(Simulation& sim, const Combination& mistakes
   }
   std::vector<Combination> sets;
   for (std::uint16_t i = 0; i < sim.list.size(); ++i) {
+    // What shows at edges is looked for there (with_edges() of sampling_causes.cpp).
     if (std::find(mistakes.begin(), mistakes.end(), i) == mistakes.end() &&
-        fits(sim, mistakes, i)) {
+        !shows_at_edges(sim.list[i]) && fits(sim, mistakes, i)) {
       sets.push_back(joined(mistakes, {i}));
     }
   }

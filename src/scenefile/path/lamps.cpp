@@ -53,10 +53,10 @@ glm::dvec2 in_triangle(const glm::dvec2& p) {
 
 }  // namespace
 
-Color map_color(std::span<const MipMap> mip_maps, std::uint32_t map, const glm::dvec2& uv) {
-  return map == no_map || mip_maps[map].empty()
+Color map_color(const Assets& assets, std::uint32_t map, const glm::dvec2& uv) {
+  return map == no_map || assets.textures[map].empty()
              ? Color(1)
-             : lookup_filtered(mip_maps[map], RenderTexture{map}, uv, UvFootprint());
+             : lookup_smooth(assets.textures[map], RenderTexture{map}, uv);
 }
 
 AliasTable::AliasTable(const std::vector<double>& weights) : entries_(weights.size()) {
@@ -96,8 +96,8 @@ std::uint32_t AliasTable::choose(double& u) const {
   return rest < keep ? index : other;
 }
 
-Lamps::Lamps(const SceneGeometry& geometry, const Assets& assets, std::span<const MipMap> mip_maps)
-    : assets_(&assets), mip_maps_(mip_maps), radiance_(mean_radiance(assets)) {
+Lamps::Lamps(const SceneGeometry& geometry, const Assets& assets)
+    : assets_(&assets), radiance_(mean_radiance(assets)) {
   if (!geometry.groups.empty()) {
     find_places(geometry);
     add_triangles(geometry);
@@ -206,8 +206,7 @@ LampPoint Lamps::sample(glm::dvec2 point) const {
   lamp.position = place.world_from_object.point(corner(0) + weights.x * (corner(1) - corner(0)) +
                                                 weights.y * (corner(2) - corner(0)));
   lamp.normal = world_normal(place.object_from_world, surface.normal);
-  lamp.emission =
-      Color(material.emission) * map_color(mip_maps_, material.emission_map, surface.uv);
+  lamp.emission = Color(material.emission) * map_color(*assets_, material.emission_map, surface.uv);
   lamp.density = density(place.mesh, index);
   lamp.triangle = chosen;
   lamp.weights = weights;

@@ -26,7 +26,7 @@ inline double luminance(const Color& c) {
 }
 
 /// The color of a map of a face material; white if there is none, or it could not be used.
-Color map_color(std::span<const MipMap> mip_maps, std::uint32_t map, const glm::dvec2& uv);
+Color map_color(const Assets& assets, std::uint32_t map, const glm::dvec2& uv);
 
 /// A random point on a lamp.
 struct LampPoint {
@@ -65,7 +65,7 @@ class Lamps {
   Lamps() = default;
   /// The lamps that rays can hit. Refers to the assets. Scenes with extremely many are treated as
   /// having none: paths then only find them by chance.
-  Lamps(const SceneGeometry& geometry, const Assets& assets, std::span<const MipMap> mip_maps);
+  Lamps(const SceneGeometry& geometry, const Assets& assets);
 
   bool empty() const { return triangles_.empty(); }
   std::size_t size() const { return triangles_.size(); }
@@ -96,7 +96,6 @@ class Lamps {
   void add_triangles(const SceneGeometry& geometry);
 
   const Assets* assets_ = nullptr;
-  std::span<const MipMap> mip_maps_;
   std::vector<std::vector<double>> radiance_;  ///< by mesh and face material; mean luminance
   std::vector<Place> places_;
   std::vector<Triangle> triangles_;

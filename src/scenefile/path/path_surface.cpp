@@ -1,9 +1,12 @@
 #include "scenefile/base/one_lane.h"
 #include "scenefile/base/vector-inl.h"
+#include "scenefile/geometry/surface-inl.h"
 #include "scenefile/path/path_scene.h"
-#include "scenefile/path/surface_color.h"
+#include "scenefile/trace/camera-inl.h"
+#include "scenefile/trace/footprint-inl.h"
 #include "scenefile/trace/optics-inl.h"
 #include "scenefile/trace/scene_geometry.h"
+#include "scenefile/trace/surface_point.h"
 
 #include <algorithm>
 #include <array>
@@ -12,11 +15,13 @@ namespace scenefile {
 
 namespace {
 
-// The scene's surfaces, lights and textures are those of mode ray.
+// The scene's surfaces and lights are those of mode ray. Textures need no mip maps, because many
+// paths average them.
 RenderOptions as_rays(RenderOptions options) {
   options.mode = Mode::ray;
   options.profile = Profile::fine;
   options.features = {};
+  options.features.texture = false;
   return options;
 }
 
@@ -124,14 +129,46 @@ Bsdf bsdf_of(const Tracer& tracer, const FaceMaterial& material, const glm::dvec
     return bsdf;
   }
   const Color specular =
-      Color(material.specular) * map_color(tracer.mip_maps, material.specular_map, uv);
+      Color(material.specular) * map_color(tracer.assets, material.specular_map, uv);
   if (material.illum == illum_mirror) {
     bsdf.mirror = specular;
     return bsdf;
   }
-  bsdf.diffuse = Color(material.diffuse) * map_color(tracer.mip_maps, material.diffuse_map, uv);
+  bsdf.diffuse = Color(material.diffuse) * map_color(tracer.assets, material.diffuse_map, uv);
   bsdf.glossy = specular;
   return bsdf;
+}
+
+// kd * Cd, or the texture blended over it.
+Color diffuse_color(const Tracer& tracer, const SurfacePoint& point) {
+  const RenderMaterial& material = *point.material;
+  const Color plain = double(tracer.scene.global.diffuse) * Color(material.diffuse);
+  if (!material.texture.used() || tracer.assets.textures[material.texture.file].empty()) {
+    return plain;
+  }
+  const Texture& texture = tracer.assets.textures[material.texture.file];
+  return glm::mix(plain, lookup_smooth(texture, material.texture, point.object.uv),
+                  double(material.blend));
+}
+
+// Replaces the shading normal by that of the bump map.
+void apply_bump(const Tracer& tracer, SurfacePoint& point) {
+  const RenderTexture& map = point.material->bump_map;
+  if (!map.used() || !point.has_uv || tracer.assets.textures[map.file].empty()) {
+    return;
+  }
+  const Texture& texture = tracer.assets.textures[map.file];
+  const Surface& s = point.object;
+  bool bumped = true;
+  const one::V3 normal = one::bumped_normal(
+      {one::splat3(s.normal), s.uv.x, s.uv.y, one::splat3(s.tangent_u), one::splat3(s.tangent_v)},
+      {0, 0}, {0, 0}, double(map.repeat_u) * texture.width, double(map.repeat_v) * texture.height,
+      bumped, [&](double u, double v, bool) {
+        return one::splat3(lookup_smooth(texture, map, {u, v}));
+      });
+  if (bumped) {
+    point.normal = world_normal(point.hit.object_from_world, {normal.x, normal.y, normal.z});
+  }
 }
 
 // The object's own material, whose coefficients are those of the lighting equation.
@@ -140,7 +177,7 @@ Bsdf bsdf_of(const Tracer& tracer, const SurfacePoint& point) {
   const double specular = tracer.scene.global.specular;
   Bsdf bsdf;
   const auto positive = [](const Color& c) { return glm::max(c, Color(0)); };
-  bsdf.diffuse = positive(diffuse_color(tracer, material, texture_color(tracer, point, {}, 1)));
+  bsdf.diffuse = positive(diffuse_color(tracer, point));
   bsdf.shininess = material.shininess;
   bsdf.glossy = positive(material.shininess > 0 ? specular * Color(material.specular) : Color(0));
   bsdf.mirror = positive(specular * Color(material.reflective));
@@ -156,7 +193,7 @@ PathScene::PathScene(const TraceScene& traced, const RenderScene& scene, const R
       options(in_range(o)),
       camera(tracer.camera()),
       transmission(transmission_of(tracer)),
-      lamps(tracer.accelerator.geometry(), tracer.assets, tracer.mip_maps) {
+      lamps(tracer.accelerator.geometry(), tracer.assets) {
   find_other_faces(tracer.assets, lamps, *this);
 }
 
@@ -170,13 +207,13 @@ PathPoint path_point(const PathScene& scene, const Ray& ray, const Hit& ray_hit)
   point.triangle = hit.triangle;
   const FaceMaterial* const material = face_material(tracer.assets, hit, point.material);
   if (material == nullptr) {
-    apply_bump(tracer, surface, {}, 1);
+    apply_bump(tracer, surface);
     point.bsdf = bsdf_of(tracer, surface);
   } else {
     point.bsdf = bsdf_of(tracer, *material, surface.object.uv);
     if (material->emission != glm::vec3(0) && glm::dot(surface.geometric, ray.direction) < 0) {
       point.emission = Color(material->emission) *
-                       map_color(tracer.mip_maps, material->emission_map, surface.object.uv);
+                       map_color(tracer.assets, material->emission_map, surface.object.uv);
       point.lamp_density = scene.lamps.density(hit.mesh, point.material);
     }
   }

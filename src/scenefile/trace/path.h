@@ -5,7 +5,7 @@
 #include "scenefile/trace/accelerator.h"
 #include "scenefile/trace/camera_rays.h"
 #include "scenefile/trace/explain.h"
-#include "scenefile/trace/footprint.h"
+#include "scenefile/trace/ray_differential.h"
 #include "scenefile/trace/sequence.h"
 
 namespace scenefile {

@@ -25,20 +25,8 @@ glm::dvec3 texel(const Texture& texture, int x, int y) {
 
 // Texel coordinates, x to the right and y down.
 glm::dvec2 texel_position(const Texture& texture, const RenderTexture& use, const glm::dvec2& uv) {
-  return {uv.x * use.repeat_u * texture.width, (1 - uv.y) * use.repeat_v * texture.height};
-}
-
-// Interpolates the four texels around p; texel centers are at integer positions.
-glm::dvec3 bilinear(const Texture& texture, const glm::dvec2& p) {
-  const glm::dvec2 low = glm::floor(p);
-  const glm::dvec2 f = p - low;
-  const int x0 = wrap(low.x, texture.width);
-  const int y0 = wrap(low.y, texture.height);
-  const int x1 = x0 + 1 == texture.width ? 0 : x0 + 1;
-  const int y1 = y0 + 1 == texture.height ? 0 : y0 + 1;
-  const glm::dvec3 top = glm::mix(texel(texture, x0, y0), texel(texture, x1, y0), f.x);
-  const glm::dvec3 bottom = glm::mix(texel(texture, x0, y1), texel(texture, x1, y1), f.x);
-  return glm::mix(top, bottom, f.y);
+  return {one::texel_x(uv.x, use.repeat_u, texture.width),
+          one::texel_y(uv.y, use.repeat_v, texture.height)};
 }
 
 // How much a new texel covers of each old one along an axis.
@@ -89,26 +77,6 @@ Texture halved(const Texture& texture) {
   return result;
 }
 
-// A texture with the interface for filtered(), for one lane.
-struct OneTexture {
-  const MipMap& mip_map;
-
-  double levels() const { return mip_map.levels(); }
-
-  one::V3 smooth(double level, bool wanted, double x, double y) const {
-    if (!wanted) {
-      return {0, 0, 0};
-    }
-    const Texture& base = mip_map.level(0);
-    const Texture& texture = mip_map.level(static_cast<int>(level));
-    return one::bilinear(
-        texture.width, texture.height, x * (double(texture.width) / base.width) - 0.5,
-        y * (double(texture.height) / base.height) - 0.5, [&](double column, double row) {
-          return one::splat3(texel(texture, static_cast<int>(column), static_cast<int>(row)));
-        });
-  }
-};
-
 }  // namespace
 
 glm::ivec2 texel_at(const Texture& texture, const RenderTexture& use, const glm::dvec2& uv) {
@@ -121,9 +89,13 @@ glm::dvec3 lookup_nearest(const Texture& texture, const RenderTexture& use, cons
   return texel(texture, p.x, p.y);
 }
 
-glm::dvec3 lookup_course_filter(const Texture& texture, const RenderTexture& use,
-                                const glm::dvec2& uv) {
-  return bilinear(texture, texel_position(texture, use, uv));
+glm::dvec3 lookup_smooth(const Texture& texture, const RenderTexture& use, const glm::dvec2& uv) {
+  const glm::dvec2 p = texel_position(texture, use, uv) - 0.5;
+  const one::V3 color =
+      one::bilinear(texture.width, texture.height, p.x, p.y, [&](double x, double y) {
+        return one::splat3(texel(texture, static_cast<int>(x), static_cast<int>(y)));
+      });
+  return {color.x, color.y, color.z};
 }
 
 MipMap::MipMap(const Texture& texture) : base_(&texture) {
@@ -132,19 +104,6 @@ MipMap::MipMap(const Texture& texture) : base_(&texture) {
     smaller_.push_back(halved(*last));
     last = &smaller_.back();
   }
-}
-
-glm::dvec3 lookup_filtered(const MipMap& mip_map, const RenderTexture& use, const glm::dvec2& uv,
-                           const UvFootprint& footprint, int grid) {
-  const Texture& base = mip_map.level(0);
-  const one::V3 color =
-      one::filtered(OneTexture{mip_map}, one::texel_x(uv.x, use.repeat_u, base.width),
-                    one::texel_y(uv.y, use.repeat_v, base.height),
-                    one::texel_footprint({footprint.right.x, footprint.right.y},
-                                         {footprint.down.x, footprint.down.y}, use.repeat_u,
-                                         use.repeat_v, base.width, base.height),
-                    grid, true);
-  return {color.x, color.y, color.z};
 }
 
 }  // namespace scenefile

@@ -17,10 +17,8 @@ glm::ivec2 texel_at(const Texture& texture, const RenderTexture& use, const glm:
 /// The color of that texel (course profile, and fine without filtering).
 glm::dvec3 lookup_nearest(const Texture& texture, const RenderTexture& use, const glm::dvec2& uv);
 
-/// The course's filter: weights are relative to the corner of the texel instead of its center,
-/// which shifts the texture by half a texel.
-glm::dvec3 lookup_course_filter(const Texture& texture, const RenderTexture& use,
-                                const glm::dvec2& uv);
+/// Interpolates between the centers of texels.
+glm::dvec3 lookup_smooth(const Texture& texture, const RenderTexture& use, const glm::dvec2& uv);
 
 /// A texture with its mip levels, each the area average of the previous one.
 class MipMap {
@@ -35,17 +33,5 @@ class MipMap {
   const Texture* base_;
   std::vector<Texture> smaller_;
 };
-
-/// A footprint in (u, v), a parallelogram: the derivatives of (u, v) for one step to the right and
-/// one step down in the picture.
-struct UvFootprint {
-  glm::dvec2 right{0};
-  glm::dvec2 down{0};
-};
-
-/// The average over the footprint; interpolates between texel centers if the footprint is smaller
-/// than a texel. `grid`: 2 for a separate lookup in each quarter of the footprint.
-glm::dvec3 lookup_filtered(const MipMap& mip_map, const RenderTexture& use, const glm::dvec2& uv,
-                           const UvFootprint& footprint, int grid = 1);
 
 }  // namespace scenefile

@@ -42,7 +42,7 @@ struct VectorArrays {
   alignas(64) double z[queue_row];
 };
 
-/// Ray differentials (footprint.h).
+/// Ray differentials (ray_differential.h).
 struct DerivativeArrays {
   VectorArrays dx;
   VectorArrays dy;

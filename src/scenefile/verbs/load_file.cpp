@@ -84,14 +84,6 @@ LoadedScene load_scene_text(const std::string& path, std::string text, const Loa
   return scene;
 }
 
-void load_written_file(LoadedScene& scene, const LoadSettings& settings,
-                       const AssetAccess& access) {
-  AssetRoots roots(asset_roots_options(scene.path, access, settings.limits));
-  const FetchFile fetch = [&](const std::string& name) { return roots.read(name); };
-  load_written(scene, fetch, settings);
-  set_paths(scene, roots);
-}
-
 Result<DecodedPicture> decode_picture_file(std::string_view bytes, const std::string& path,
                                            std::string_view layer, const Limits& limits) {
   const std::string name = escaped(shown_name(path), 4096);

@@ -44,10 +44,10 @@ Result<Texture> decode_image(std::string_view bytes, const Limits& limits = {});
 /// A picture from a file, for comparison.
 struct DecodedPicture {
   /// 8-bit values. Of `linear`, clamped to [0, 1] and rounded; NaN is 0.
-  Texture texture;
+  Texture texture{};
   /// The values of a format with floats (PFM, EXR), 1 is full intensity: not clamped, NaN and
   /// infinity are kept. Empty for other formats.
-  Image linear;
+  Image linear{};
   std::size_t not_finite = 0;  ///< pixels of `linear` with a value that is NaN or infinite
   bool jpeg = false;           ///< its colors are not exactly those that were stored
 

@@ -1,9 +1,9 @@
 #pragma once
 // The lighting equation at a point, without reflection and refraction.
 
-#include "trace/scalar_surface.h"
 #include "scenefile/trace/camera_rays.h"
 #include "trace/recorder.h"
+#include "trace/scalar_surface.h"
 
 namespace scenefile {
 

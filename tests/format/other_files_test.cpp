@@ -34,6 +34,12 @@ TEST(OtherFiles, AreIdentified) {
   }
 }
 
+TEST(OtherFiles, NothingAndWhiteSpace) {
+  EXPECT_THAT(messages(read("").diagnostics), ElementsAre("0:0 the file is empty"));
+  EXPECT_THAT(messages(read(" \n\t\n").diagnostics),
+              ElementsAre("0:0 the file contains only white space"));
+}
+
 // SECURITY.md: findings show nothing of files that are not scenes.
 TEST(OtherFiles, AreNotShown) {
   const std::pair<std::string_view, std::string_view> files[] = {

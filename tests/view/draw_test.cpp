@@ -94,11 +94,12 @@ TEST_F(Drawn, TheFarthestAreLeftOutWhereThePictureIsCoveredTooOften) {
   for (int i = 0; i < 3000; ++i) {
     builder.add(Shape::cube, place({0, 0, -30 - 0.01f * float(i)}, 40), i == 2999 ? red : green);
   }
+  builder.add(Shape::cube, place({0, 0, -90}, 0.01f), red);  // takes far less work than the others
   Drawing drawing = uploaded(builder);
   const Image image = draw_square(drawing, builder.scene.camera, one_sample(), 512);
   EXPECT_EQ(at(image, 256, 256), glm::vec3(0, 1, 0));
   EXPECT_GT(stats.left_out, 500u);
-  EXPECT_EQ(stats.left_out + stats.objects, 3000u);
+  EXPECT_EQ(stats.left_out + stats.objects, 3001u);
   draw_square(drawing, builder.scene.camera, one_sample(), 64);
   EXPECT_EQ(stats.left_out, 0u);
 }

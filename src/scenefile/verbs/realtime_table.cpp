@@ -1,6 +1,7 @@
 #include "scenefile/verbs/realtime_table.h"
 
 #include "scenefile/base/number.h"
+#include "scenefile/base/text.h"
 
 #include <fmt/format.h>
 
@@ -68,10 +69,10 @@ std::string read_row(const Cells& cells, RealtimeRow& row) {
     return "near and far are depths above 0, near less than far";
   }
   if (!read_word(cells, "filter", filter_words, panel.filter)) {
-    return fmt::format("unknown filter {}", cell("filter"));
+    return fmt::format("unknown filter {}", escaped(cell("filter"), 80));
   }
   if (!read_word(cells, "assignment", milestone_words, panel.milestone)) {
-    return fmt::format("unknown assignment {}", cell("assignment"));
+    return fmt::format("unknown assignment {}", escaped(cell("assignment"), 80));
   }
   return {};
 }

@@ -107,7 +107,7 @@ realtime: ## REALTIME=DIR: compare with every picture of the assignment Realtime
 	@$(BUILD)/tests/conformance/scenefile_realtime "$(REALTIME)" out/realtime
 
 .PHONY: mistakes-ledger
-mistakes-ledger: ## PER_MISTAKE=1: ask diff about pictures with planted mistakes, and write its answers to out/ledger.tsv; CORPUS=DIR: also the course's scenes
+mistakes-ledger: ## count diff's answers about pictures with planted mistakes, in out/ledger.tsv; PER_MISTAKE=N: N scenes for each mistake, 0: all; CORPUS=DIR: also the course's scenes
 	@scripts/install-deps core tests
 	@$(MAKE) $(QUIET) configure-tests
 	$(call compile,scenefile scenefile_student scenefile_ask_causes)

@@ -6,36 +6,22 @@
 #include "scenefile/trace/camera-inl.h"
 #include "scenefile/trace/footprint-inl.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace scenefile {
 
 namespace {
 
 using one::splat3;
 
-int wrap(double index, int size) {
-  const double wrapped = index - size * std::floor(index / size);
-  return std::clamp(static_cast<int>(wrapped), 0, size - 1);
+// Interpolates the four texels around (x, y); the centers of texels are at integer positions.
+one::V3 bilinear(const Texture& texture, double x, double y) {
+  return one::bilinear(texture.width, texture.height, x, y, [&](double column, double row) {
+    const std::uint8_t* p = texture.texel(static_cast<int>(column), static_cast<int>(row));
+    return one::V3{p[0] / 255.0, p[1] / 255.0, p[2] / 255.0};
+  });
 }
 
-glm::dvec3 texel(const Texture& texture, int x, int y) {
-  const std::uint8_t* p = texture.texel(x, y);
-  return glm::dvec3(p[0], p[1], p[2]) / 255.0;
-}
-
-// Interpolates the four texels around p; texel centers are at integer positions.
-glm::dvec3 bilinear(const Texture& texture, const glm::dvec2& p) {
-  const glm::dvec2 low = glm::floor(p);
-  const glm::dvec2 f = p - low;
-  const int x0 = wrap(low.x, texture.width);
-  const int y0 = wrap(low.y, texture.height);
-  const int x1 = x0 + 1 == texture.width ? 0 : x0 + 1;
-  const int y1 = y0 + 1 == texture.height ? 0 : y0 + 1;
-  const glm::dvec3 top = glm::mix(texel(texture, x0, y0), texel(texture, x1, y0), f.x);
-  const glm::dvec3 bottom = glm::mix(texel(texture, x0, y1), texel(texture, x1, y1), f.x);
-  return glm::mix(top, bottom, f.y);
+glm::dvec3 as_vector(const one::V3& v) {
+  return {v.x, v.y, v.z};
 }
 
 // A texture with the interface for filtered(), for one lane.
@@ -50,11 +36,8 @@ struct OneTexture {
     }
     const Texture& base = mip_map.level(0);
     const Texture& texture = mip_map.level(static_cast<int>(level));
-    return one::bilinear(
-        texture.width, texture.height, x * (double(texture.width) / base.width) - 0.5,
-        y * (double(texture.height) / base.height) - 0.5, [&](double column, double row) {
-          return one::splat3(texel(texture, static_cast<int>(column), static_cast<int>(row)));
-        });
+    return bilinear(texture, x * (double(texture.width) / base.width) - 0.5,
+                    y * (double(texture.height) / base.height) - 0.5);
   }
 };
 
@@ -87,21 +70,20 @@ UvFootprint uv_footprint(const SurfacePoint& point, const PixelDerivatives& dp) 
 
 glm::dvec3 lookup_course_filter(const Texture& texture, const RenderTexture& use,
                                 const glm::dvec2& uv) {
-  return bilinear(
-      texture, {uv.x * use.repeat_u * texture.width, (1 - uv.y) * use.repeat_v * texture.height});
+  return as_vector(bilinear(texture, one::texel_x(uv.x, use.repeat_u, texture.width),
+                            one::texel_y(uv.y, use.repeat_v, texture.height)));
 }
 
 glm::dvec3 lookup_filtered(const MipMap& mip_map, const RenderTexture& use, const glm::dvec2& uv,
                            const UvFootprint& footprint, int grid) {
   const Texture& base = mip_map.level(0);
-  const one::V3 color =
+  return as_vector(
       one::filtered(OneTexture{mip_map}, one::texel_x(uv.x, use.repeat_u, base.width),
                     one::texel_y(uv.y, use.repeat_v, base.height),
                     one::texel_footprint({footprint.right.x, footprint.right.y},
                                          {footprint.down.x, footprint.down.y}, use.repeat_u,
                                          use.repeat_v, base.width, base.height),
-                    grid, true);
-  return {color.x, color.y, color.z};
+                    grid, true));
 }
 
 std::optional<Color> texture_color(const Tracer& tracer, const SurfacePoint& point,
@@ -150,7 +132,7 @@ void apply_bump(const Tracer& tracer, SurfacePoint& point, const PixelDerivative
         return splat3(lookup_filtered(mip_map, map, {u, v}, footprint));
       });
   if (bumped) {
-    point.normal = world_normal(point.hit.object_from_world, {normal.x, normal.y, normal.z});
+    point.normal = world_normal(point.hit.object_from_world, as_vector(normal));
   }
 }
 

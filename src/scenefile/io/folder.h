@@ -53,8 +53,8 @@ struct FolderEntry {
   bool file = false;     ///< a regular one
   bool missing = false;  ///< a link that leads nowhere, or cannot be followed
 };
-/// Visits the entries of a folder, in no order, until `visit` returns false. Returns why the folder
-/// cannot be read.
+/// Visits the entries of a folder, in any order, until `visit` returns false. Returns why the
+/// folder cannot be read, if it cannot; throws std::bad_alloc if memory runs out.
 std::error_code visit_entries(const std::string& folder,
                               const std::function<bool(FolderEntry&)>& visit);
 /// The entries of a folder, sorted by name, without junk, but with hidden ones. If it cannot be

@@ -2,6 +2,7 @@
 
 #include "scenefile/trace/scene_geometry.h"
 #include "scenefile/trace/surface_point.h"
+#include "scenefile/trace/texture_lookup.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,13 +4,11 @@
 
 #include "scenefile/trace/accelerator.h"
 #include "scenefile/trace/color.h"
-#include "scenefile/trace/texture_lookup.h"
 
 #include <glm/glm.hpp>
 
 #include <algorithm>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace scenefile {

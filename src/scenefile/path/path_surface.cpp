@@ -143,7 +143,8 @@ Bsdf bsdf_of(const Tracer& tracer, const FaceMaterial& material, const glm::dvec
 Color diffuse_color(const Tracer& tracer, const SurfacePoint& point) {
   const RenderMaterial& material = *point.material;
   const Color plain = double(tracer.scene.global.diffuse) * Color(material.diffuse);
-  if (!material.texture.used() || tracer.assets.textures[material.texture.file].empty()) {
+  if (!material.texture.used() || material.blend == 0 ||
+      tracer.assets.textures[material.texture.file].empty()) {
     return plain;
   }
   const Texture& texture = tracer.assets.textures[material.texture.file];

@@ -23,10 +23,6 @@ void locate(AssetRoots& roots, AssetKind kind, const std::vector<FileReference>&
   }
 }
 
-void set_paths(LoadedScene& scene, AssetRoots& roots) {
-  scene.diagnostics.set_paths([&](const std::string& name) { return roots.path_of(name); });
-}
-
 }  // namespace
 
 std::uint64_t file_fingerprint(const std::string& path, const Limits& limits) {
@@ -80,7 +76,7 @@ LoadedScene load_scene_text(const std::string& path, std::string text, const Loa
   AssetRoots roots(asset_roots_options(path, access, settings.limits));
   const FetchFile fetch = [&](const std::string& name) { return roots.read(name); };
   LoadedScene scene = load_scene(path, std::move(text), fetch, settings);
-  set_paths(scene, roots);
+  scene.diagnostics.set_paths([&](const std::string& name) { return roots.path_of(name); });
   return scene;
 }
 

@@ -249,10 +249,8 @@ TEST(CompareScenes, ColorsTheLinesThatDiffer) {
                               "\033[32m+    <ambientcoeff v=\"0.25\"/>\033[0m\n"),
                     HasSubstr("\n\033[36m@@ a:2:3 b:2:3 @@ global data\033[0m\n")));
   EXPECT_THAT(compare_scenes_text(a, b, diff), Not(HasSubstr("\033")));
-  const SceneDifference& first = diff.differences.at(0);
-  EXPECT_EQ(first.where, "global data");
-  EXPECT_EQ(first.a, "<ambientcoeff v=\"0.5\"/>");
-  EXPECT_EQ(first.b, "<ambientcoeff v=\"0.25\"/>");
+  EXPECT_EQ(difference_text(diff.differences.at(0)),
+            "global data\n-<ambientcoeff v=\"0.5\"/>\n+<ambientcoeff v=\"0.25\"/>");
 }
 
 }  // namespace

@@ -246,6 +246,19 @@ SceneDiff compare_scenes(const LoadedScene& a, const LoadedScene& b, std::size_t
   return diff;
 }
 
+std::string difference_text(const SceneDifference& difference) {
+  std::string text = difference.where;
+  for (const auto& [mark, lines] : {std::pair('-', &difference.a), std::pair('+', &difference.b)}) {
+    std::string_view rest = *lines;
+    while (!rest.empty()) {
+      const std::string_view line = rest.substr(0, rest.find('\n'));
+      text += fmt::format("\n{}{}", mark, line);
+      rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+    }
+  }
+  return text;
+}
+
 std::string compare_scenes_text(const LoadedScene& a, const LoadedScene& b, const SceneDiff& diff,
                                 bool color) {
   return (color ? colored(diff.text) : diff.text) + verdict_text(a.path, b.path, diff);

@@ -32,6 +32,9 @@ struct SceneDiff {
 /// they are grouped in different ways, without groups. Notes at most `most` differences.
 SceneDiff compare_scenes(const LoadedScene& a, const LoadedScene& b, std::size_t most = 10'000);
 
+/// "root/arm/#2: sphere", and its lines with "-" and "+" before them.
+std::string difference_text(const SceneDifference& difference);
+
 /// The differences as by `diff -u`, and a verdict. With ANSI colors if `color`.
 std::string compare_scenes_text(const LoadedScene& a, const LoadedScene& b, const SceneDiff& diff,
                                 bool color = false);

@@ -26,7 +26,7 @@ struct GradeRequest {
   CompareSettings compare;
   std::string layer{};        ///< of EXR files with layers
   bool thumbnails = false;    ///< create PictureResult::png
-  std::vector<NamePair> map;  ///< pairs of names that the rules of grade_files.h cannot match
+  std::vector<NamePair> map{};  ///< pairs of names that the rules of grade_files.h cannot match
   /// Options of mode path: the pictures are path-traced, and the references are configurations of
   /// the course (grade_paths.h); thresholds are not used.
   std::optional<RenderOptions> path = std::nullopt;

@@ -23,6 +23,10 @@ void locate(AssetRoots& roots, AssetKind kind, const std::vector<FileReference>&
   }
 }
 
+void set_paths(LoadedScene& scene, AssetRoots& roots) {
+  scene.diagnostics.set_paths([&](const std::string& name) { return roots.path_of(name); });
+}
+
 }  // namespace
 
 std::uint64_t file_fingerprint(const std::string& path, const Limits& limits) {
@@ -76,8 +80,16 @@ LoadedScene load_scene_text(const std::string& path, std::string text, const Loa
   AssetRoots roots(asset_roots_options(path, access, settings.limits));
   const FetchFile fetch = [&](const std::string& name) { return roots.read(name); };
   LoadedScene scene = load_scene(path, std::move(text), fetch, settings);
-  scene.diagnostics.set_paths([&](const std::string& name) { return roots.path_of(name); });
+  set_paths(scene, roots);
   return scene;
+}
+
+void load_written_file(LoadedScene& scene, const LoadSettings& settings,
+                       const AssetAccess& access) {
+  AssetRoots roots(asset_roots_options(scene.path, access, settings.limits));
+  const FetchFile fetch = [&](const std::string& name) { return roots.read(name); };
+  load_written(scene, fetch, settings);
+  set_paths(scene, roots);
 }
 
 Result<DecodedPicture> decode_picture_file(std::string_view bytes, const std::string& path,

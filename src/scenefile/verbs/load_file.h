@@ -36,6 +36,11 @@ LoadedScene load_scene_file(const std::string& path, const LoadSettings& setting
 LoadedScene load_scene_text(const std::string& path, std::string text,
                             const LoadSettings& settings = {}, const AssetAccess& access = {});
 
+/// The same for a scene that was changed or built in memory: loads scene.written as if it were
+/// stored at scene.path, which need not exist.
+void load_written_file(LoadedScene& scene, const LoadSettings& settings = {},
+                       const AssetAccess& access = {});
+
 /// The picture in the bytes of the file at `path`; `layer` as for decode_picture(). The error names
 /// the file, and says so if it is a scene.
 Result<DecodedPicture> decode_picture_file(std::string_view bytes, const std::string& path,

@@ -24,8 +24,8 @@ struct GradeRequest {
   /// Without thresholds, the kind of difference decides: pictures with known mistakes fail at any
   /// PSNR, pictures that differ only at edges or by rounding pass, others pass with 40 dB or more.
   CompareSettings compare;
-  std::string layer{};        ///< of EXR files with layers
-  bool thumbnails = false;    ///< create PictureResult::png
+  std::string layer{};          ///< of EXR files with layers
+  bool thumbnails = false;      ///< create PictureResult::png
   std::vector<NamePair> map{};  ///< pairs of names that the rules of grade_files.h cannot match
   /// Options of mode path: the pictures are path-traced, and the references are configurations of
   /// the course (grade_paths.h); thresholds are not used.

@@ -4,6 +4,7 @@
 #include "app/named_files.h"
 #include "app/option_table.h"
 #include "app/output.h"
+#include "scenefile/base/hash.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/folder.h"
@@ -20,7 +21,6 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -205,19 +205,19 @@ Result<void> write_all(const Options& options, Gradebook& book) {
 
 std::vector<std::string> student_file_names(std::span<const std::string> students) {
   constexpr std::size_t max_length = 200;  // of 255 bytes
-  std::set<std::string> used;
   std::vector<std::string> names;
   for (const std::string& student : students) {
-    std::string base;
+    std::string name;
     for (const char c : student.substr(0, max_length)) {
       const auto byte = static_cast<unsigned char>(c);
       const bool plain = byte >= 0x80 || std::isalnum(byte) != 0 ||
                          std::string_view("._-").find(c) != std::string_view::npos;
-      base += plain ? c : '_';
+      name += plain ? c : '_';
     }
-    std::string name = base;
-    for (int i = 2; !used.insert(name).second; ++i) {
-      name = fmt::format("{}-{}", base, i);
+    if (name != student) {
+      Hash hash;
+      hash.add(student);
+      name += fmt::format("-{:08x}", static_cast<std::uint32_t>(hash.value()));
     }
     names.push_back(std::move(name));
   }

@@ -12,7 +12,8 @@
 
 namespace scenefile::app {
 
-/// Unique names of files for these students, without extension.
+/// Names of files for these students, without extension. Each depends on the student alone: a class
+/// may grow. Where characters are replaced, a hash of the name tells students apart.
 std::vector<std::string> student_file_names(std::span<const std::string> students);
 
 /// Adds the pages of these students and the pictures next to the report to context.files. An error

@@ -187,6 +187,21 @@ TEST_F(StudentStore, ResultsAreKeptUntilTheirPicturesChange) {
   EXPECT_EQ(folder.read("results/ben.json"), "{\"mine\": 1}");
 }
 
+// The name of a student's file does not depend on who else is in the class.
+TEST_F(StudentStore, AStudentWithASimilarNameMayJoin) {
+  submit("Zoe_Lee", "ball", folder.read("right.png"));
+  grade_shares(1);
+  const std::string zoe = folder.read("results/Zoe_Lee.json");
+  submit("Zoe Lee", "ball", folder.read("wrong.png"));
+  submit("Zoe?Lee", "ball", folder.read("right.png"));
+  const ProgramRun joined = share(1, 1);
+  EXPECT_EQ(joined.status, 0);
+  EXPECT_THAT(joined.err, HasSubstr("share 1 of 1: 2 students graded, 6 found"));
+  EXPECT_TRUE(folder.read("results/Zoe_Lee.json") == zoe);
+  std::filesystem::remove_all(folder.path("class/Zoe Lee"));
+  EXPECT_THAT(share(1, 1).err, HasSubstr("share 1 of 1: 0 students graded, 7 found"));
+}
+
 TEST_F(StudentStore, DamagedResultsAreMadeAgain) {
   grade_shares(1);
   const std::string ben = folder.read("results/ben.json");

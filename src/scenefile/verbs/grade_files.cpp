@@ -12,13 +12,22 @@ namespace scenefile {
 
 namespace {
 
+// Whether the character at `i` is a letter or a digit of ASCII. Not a letter with an accent, which
+// may be written as one character, or as two, where the second is a combining one (U+0300 to
+// U+036F): file systems use both forms.
+bool is_plain(std::string_view name, std::size_t i) {
+  const char c = lower(name[i]);
+  const std::string_view next = name.substr(i + 1, 2);
+  const bool accented = next >= "\xCC\x80" && next <= "\xCD\xAF";
+  return (is_digit(c) || (c >= 'a' && c <= 'z')) && !accented;
+}
+
 // Only letters and digits, in lower case.
 std::string plain(std::string_view name) {
   std::string result;
-  for (const char written : name) {
-    const char c = lower(written);
-    if (is_digit(c) || (c >= 'a' && c <= 'z')) {
-      result += c;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    if (is_plain(name, i)) {
+      result += lower(name[i]);
     }
   }
   return result;
@@ -100,7 +109,7 @@ int name_score(const FoundFile& reference, const FoundFile& picture) {
 std::vector<std::array<std::size_t, 2>> words_of(std::string_view stem) {
   std::vector<std::array<std::size_t, 2>> words;
   for (std::size_t i = 0; i < stem.size(); ++i) {
-    if (plain(stem.substr(i, 1)).empty()) {
+    if (!is_plain(stem, i)) {
       continue;
     }
     const bool first = words.empty() || words.back()[1] != i;

@@ -302,6 +302,16 @@ TEST(MatchPictures, BothFormsOfAccentsAreAlike) {
   EXPECT_THAT(matches({"t\xC3\xA4st"}, {"tast"}), ElementsAre(""));
 }
 
+TEST(MatchPictures, MapsMayBeginWithAByteOrderMark) {
+  std::string wrong;
+  const std::vector<NamePair> map = read_name_map(
+      "\xEF\xBB\xBF"
+      "a.png,b\n",
+      wrong);
+  ASSERT_EQ(map.size(), 1U) << wrong;
+  EXPECT_EQ(map[0].handed_in, "a.png");
+}
+
 TEST(MatchPictures, TheBetterNameIsTaken) {
   EXPECT_THAT(matches({"ball"}, {"my_ball", "ball", "ball_gen"}), ElementsAre("ball"));
   const PictureMatches found = match_pictures(references({"ball", "a_x", "b_x"}),

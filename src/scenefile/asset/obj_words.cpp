@@ -8,8 +8,6 @@ namespace scenefile {
 
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
-
 // Lines can be many megabytes long; counting their characters for each finding would be quadratic.
 constexpr std::size_t max_counted = 65536;
 
@@ -23,11 +21,7 @@ bool is_line_end(char c) {
 
 }  // namespace
 
-ObjWords::ObjWords(std::string_view text) : text_(text) {
-  if (text_.substr(0, byte_order_mark.size()) == byte_order_mark) {
-    text_.remove_prefix(byte_order_mark.size());
-  }
-}
+ObjWords::ObjWords(std::string_view text) : text_(without_byte_order_mark(text)) {}
 
 // Length of the line end at this position: 0, 1, or 2 for CR LF.
 std::size_t ObjWords::line_end_bytes(std::size_t at) const {

@@ -109,6 +109,11 @@ std::string quoted(std::string_view text, std::size_t max_characters) {
   return '"' + escaped(text, max_characters) + '"';
 }
 
+std::string_view without_byte_order_mark(std::string_view text) {
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  return text.substr(text.starts_with(mark) ? mark.size() : 0);
+}
+
 std::string valid_utf8(std::string_view text) {
   std::string result;
   while (!text.empty()) {

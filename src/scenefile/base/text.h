@@ -27,6 +27,9 @@ struct CodePoint {
 /// The first character of the text: strict UTF-8, no overlong forms, no surrogates.
 CodePoint first_code_point(std::string_view text);
 
+/// The text without a byte order mark of UTF-8 at its start.
+std::string_view without_byte_order_mark(std::string_view text);
+
 /// The text with U+FFFD for each byte that is not UTF-8.
 std::string valid_utf8(std::string_view text);
 

@@ -142,9 +142,7 @@ void read_entry(const Line& line, std::size_t start, const std::string& section,
 }  // namespace
 
 std::vector<IniEntry> read_ini(std::string_view text, Diagnostics& diagnostics) {
-  if (text.starts_with("\xef\xbb\xbf")) {
-    text.remove_prefix(3);
-  }
+  text = without_byte_order_mark(text);
   std::vector<IniEntry> entries;
   std::string section;
   Line line;

@@ -90,10 +90,7 @@ class Opener {
   }
 
   bool parse(std::string_view text, bool binary) {
-    constexpr std::string_view mark = "\xef\xbb\xbf";
-    if (text.starts_with(mark)) {
-      text.remove_prefix(mark.size());
-    }
+    text = without_byte_order_mark(text);
     const JsonError error = parse_json(text, options_.limits.nesting, file_.tape);
     if (error.fault == JsonFault::too_deep) {
       return fail("import.limit"_code, {},

@@ -295,6 +295,7 @@ bool is_named(const FoundFile& file, const std::string& name) {
 }
 
 std::vector<NamePair> read_name_map(std::string_view text, std::string& wrong) {
+  text = without_byte_order_mark(text);
   std::vector<NamePair> map;
   std::size_t number = 0;
   for (std::size_t start = 0; start < text.size();) {

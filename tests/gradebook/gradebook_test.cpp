@@ -289,7 +289,7 @@ TEST(Gradebook, NotesStandBesideResultsButAreNoMistakes) {
 TEST(Gradebook, AllFilesAreUtf8) {
   Gradebook book = two_students();
   book.students[0].name = "J\xF6rg";
-  const std::string name = "J\xEF\xBF\xBDrg";
+  const std::string name = "J\\xf6rg";  // other bytes are another name
   EXPECT_THAT(gradebook_csv(book), HasSubstr(name));
   EXPECT_THAT(gradebook_junit(book), HasSubstr(name));
   EXPECT_THAT(gradebook_html(book, "t"), HasSubstr(name));

@@ -118,7 +118,11 @@ std::string valid_utf8(std::string_view text) {
   std::string result;
   while (!text.empty()) {
     const std::size_t bytes = first_code_point(text).bytes;
-    result += bytes == 0 ? std::string_view("\xEF\xBF\xBD") : text.substr(0, bytes);
+    if (bytes == 0) {
+      append_shown(result, {}, text);
+    } else {
+      result += text.substr(0, bytes);
+    }
     text.remove_prefix(bytes == 0 ? 1 : bytes);
   }
   return result;

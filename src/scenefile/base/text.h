@@ -30,7 +30,8 @@ CodePoint first_code_point(std::string_view text);
 /// The text without a byte order mark of UTF-8 at its start.
 std::string_view without_byte_order_mark(std::string_view text);
 
-/// The text with U+FFFD for each byte that is not UTF-8.
+/// The text with \x.. for each byte that is not UTF-8, as escaped() shows them: different names of
+/// files stay different.
 std::string valid_utf8(std::string_view text);
 
 /// A word of a POSIX shell's command line: in single quotes if it has special characters.

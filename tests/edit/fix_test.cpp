@@ -176,6 +176,15 @@ TEST(Fix, OfTwoNamesThatAreAsNearNoneIsCertain) {
   EXPECT_TRUE(fix_text(coeff, {}).made.empty());
 }
 
+// That one attribute is missing and another unknown does not say that it was meant.
+TEST(Fix, AnUnknownAttributeAloneIsNotCertain) {
+  const auto fixed = [](const std::string& translate) {
+    return fix_text(xml_with(translate + R"(<object type="master" name="chair"/>)"), {});
+  };
+  EXPECT_TRUE(fixed(R"(<translate y="1" z="1" w="3"/>)").made.empty());
+  EXPECT_EQ(fixed(R"(<translate xpos="3" y="1" z="1"/>)").made.size(), 1U);
+}
+
 TEST(Fix, KeepsEncodingAndLineEnds) {
   std::string text = "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>\r\n" +
                      xml_with("<!-- \xe9 --><object type=\"master\" name=\"chiar\"/>");

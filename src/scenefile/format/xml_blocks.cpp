@@ -546,7 +546,7 @@ void settle_others(const XmlContext& context, const XmlTag& tag, Found& found) {
       continue;
     }
     if (near.empty()) {
-      report_meant(context, tag, *attribute, meant);
+      report_meant(context, tag, *attribute, meant, true);
     } else {
       context.report("xml.misspelled-attribute"_code, *attribute,
                      fmt::format("unknown attribute {} of <object>{}", escaped(attribute->name, 40),

@@ -137,16 +137,20 @@ void settle_missing(const XmlContext& context, const XmlTag& tag, const Signatur
     const std::vector<std::string_view> missing = missing_names(signature, parts);
     const bool only = unknown.size() == 1 && missing.size() == 1;
     const auto part = std::find_if(missing.begin(), missing.end(), [&](std::string_view name) {
-      return only || equal_ignoring_case(attribute->name.substr(0, name.size()), name);
+      return only || begins_with(name);
     });
     if (part == missing.end() || !nearest_name(attribute->name, missing).empty()) {
       continue;
     }
-    report_meant(context, tag, *attribute, *part);
+    // That no other is left over is no evidence of what the author meant.
+    report_meant(context, tag, *attribute, *part, begins_with(*part));
     parts[index_of_part(signature, *part)] = attribute;
   }
 }
 
+    const auto begins_with = [&](std::string_view name) {
+      return equal_ignoring_case(attribute->name.substr(0, name.size()), name);
+    };
 // Reports attributes that are not parts; a misspelled one takes the place of a missing part.
 void settle_others(const XmlContext& context, const XmlTag& tag, const Signature& signature,
                    Parts& parts) {
@@ -418,13 +422,13 @@ void report_unknown_attribute(const XmlContext& context, const XmlTag& tag,
 }
 
 void report_meant(const XmlContext& context, const XmlTag& tag, const XmlAttribute& attribute,
-                  std::string_view missing) {
+                  std::string_view missing, bool certain) {
   context.report("xml.missing-attribute"_code, tag,
                  fmt::format("{} is missing the attribute {}; the unknown attribute {} is probably "
                              "meant to be it: write {}=\"{}\"",
                              element_text(tag.name), missing, escaped(attribute.name, 40), missing,
                              escaped(attribute.value, 60)),
-                 correction(attribute.name, missing));
+                 Correction{std::string(attribute.name), std::string(missing), certain});
 }
 
 std::optional<ValueKind> kind_of_element(std::string_view element) {

@@ -104,7 +104,8 @@ std::string as_attributes(std::string_view element, std::string_view text);
 
 /// Reports an error about a missing attribute and the unknown one that was probably meant to be it.
 void report_meant(const XmlContext& context, const XmlTag& tag, const XmlAttribute& attribute,
-                  std::string_view missing);
+/// `certain`: of the correction.
+                  std::string_view missing, bool certain);
 
 /// Reports an attribute that the format does not have; suggests the nearest of `known`.
 void report_unknown_attribute(const XmlContext& context, const XmlTag& tag,

@@ -193,6 +193,24 @@ TEST_F(Client, TemplatesAreFoundAndRenamed) {
   EXPECT_EQ(result("textDocument/prepareRename", at(0, 0)), "null");
 }
 
+TEST_F(Client, NamesThatCannotBeWrittenAreRefused) {
+  initialize();
+  const auto renamed = [&](int character, const std::string& name) {
+    return result("textDocument/rename", at(0, character, R"(, "newName": ")" + name + "\""));
+  };
+  const std::string xml = R"(<scenefile><object type="tree" name="leg"/></scenefile>)";
+  open(xml);
+  const int leg = static_cast<int>(xml.find("leg"));
+  EXPECT_NE(renamed(leg, "root").find("reserved"), std::string::npos);
+  EXPECT_NE(renamed(leg, "a\\u0000b").find("XML cannot contain"), std::string::npos);
+  EXPECT_NE(renamed(leg, std::string(5000, 'x')).find("longer than the limit of 4096 bytes"),
+            std::string::npos);
+  open(R"({"groups": [{"name": "t"}], "templateGroups": [{"name": "t"}]})");
+  EXPECT_EQ(renamed(22, "root").find("-32803"), std::string::npos);
+  EXPECT_EQ(renamed(22, "a\\u0000b").find("-32803"), std::string::npos);
+  EXPECT_NE(renamed(22, std::string(5000, 'x')).find("-32803"), std::string::npos);
+}
+
 // A group with the new name would become an instance of the template.
 TEST_F(Client, TemplatesAreNotRenamedToNamesOfGroups) {
   initialize();

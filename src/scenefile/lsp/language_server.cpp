@@ -1,5 +1,6 @@
 #include "scenefile/lsp/language_server.h"
 
+#include "scenefile/base/limits.h"
 #include "scenefile/base/text.h"
 #include "scenefile/edit/fix.h"
 #include "scenefile/edit/format_text.h"
@@ -783,17 +784,33 @@ class LanguageServer::Session {
         std::any_of(named.all.begin(), named.all.end(),
                     [&](const NameUse& use) { return use.name == name; }) ||
         std::find(named.others.begin(), named.others.end(), name) != named.others.end();
-    if (name.empty() || name == "root" || (taken && name != named.at->name)) {
-      return Failure{LspError::request_failed,
-                     name.empty() ? "a template needs a name"
-                                  : fmt::format("the name {} is taken", quoted(name))};
+    const auto refuse = [](std::string why) {
+      return Failure{LspError::request_failed, std::move(why)};
+    };
+    if (name.empty()) {
+      return refuse("a template needs a name");
+    }
+    if (name == "root" && looks_like_xml(document.text)) {
+      return refuse("the name \"root\" is reserved for the scene itself");
+    }
+    if (taken && name != named.at->name) {
+      return refuse(fmt::format("the name {} is taken", quoted(name)));
+    }
+    std::string written;
+    if (!append_name(written, name, document.text)) {
+      return refuse(
+          fmt::format("the name {} has a character that XML cannot contain", quoted(name)));
+    }
+    if (written.size() > Limits().name_bytes) {
+      return refuse(fmt::format("the name {} is longer than the limit of {} bytes", quoted(name),
+                                Limits().name_bytes));
     }
     json.begin_object();
     json.begin_object("changes");
     json.begin_array(document.uri);
     for (const NameUse& use : named.all) {
       if (use.name == named.at->name) {
-        add_edit(json, lines, {use.from, use.to}, escaped_name(name, document.text));
+        add_edit(json, lines, {use.from, use.to}, written);
       }
     }
     json.end_array();
@@ -885,19 +902,19 @@ class LanguageServer::Session {
     return std::nullopt;
   }
 
-  // Inside of quotes.
-  static std::string escaped_name(std::string_view name, std::string_view text) {
-    std::string written;
+  // Inside of quotes. Returns whether all of it can be written.
+  static bool append_name(std::string& written, std::string_view name, std::string_view text) {
+    bool complete = true;
     if (looks_like_xml(text)) {
-      append_xml(written, name);
+      complete = append_xml(written, name);
       for (std::size_t at = 0; (at = written.find('\'', at)) != written.npos;) {
         written.replace(at, 1, "&apos;");
       }
     } else {
-      append_json(written, name);
+      complete = append_json(written, name);
       written = written.substr(1, written.size() - 2);
     }
-    return written;
+    return complete;
   }
 
   FilesOfScene files_;

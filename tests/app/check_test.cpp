@@ -187,6 +187,17 @@ TEST_F(Check, SeveralScenesEndWithACount) {
   EXPECT_EQ(run_program({"check", "--quiet", good, good}).out, "");
 }
 
+// A name that cannot be read is not a missing one.
+TEST_F(Check, AWrongNameOfATemplateIsReportedOnce) {
+  for (const std::string& name : {std::string("5"), '"' + std::string(5000, 'x') + '"'}) {
+    folder.write("a.json", R"({"templateGroups": [{"name": )" + name + "}]}");
+    EXPECT_THAT(program({"check", "a.json"}).out,
+                AllOf(HasSubstr("a.json:1:22: error: "), Not(HasSubstr("[tree."))));
+  }
+  folder.write("a.json", R"({"templateGroups": [{}]})");
+  EXPECT_THAT(program({"check", "a.json"}).out, HasSubstr("[tree.template-without-name]"));
+}
+
 TEST_F(Check, FindingsAreSortedByPlace) {
   // The reader reports line 15 before check() reports line 4.
   std::string text = scene_with("<frobnicate/>");

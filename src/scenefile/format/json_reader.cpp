@@ -133,14 +133,17 @@ class SceneReader {
       return;
     }
     const JsonFields fields(context_, item, group::template_vocabulary);
-    std::string name;
+    std::optional<std::string> name = "";
     if (fields.has(group::name)) {
-      name = text_value(context_, fields.key(group::name), limits().name_bytes).value_or("");
+      name = text_value(context_, fields.key(group::name), limits().name_bytes);
     }
-    if (!name.empty()) {  // also one whose key is misspelled
-      templates_.try_emplace(name, known_templates_);
+    if (name && !name->empty()) {  // also one whose key is misspelled
+      templates_.try_emplace(*name, known_templates_);
     }
-    const NodeId node = add_template(scene_, std::move(name));
+    const NodeId node = add_template(scene_, name.value_or(""));
+    if (!name) {
+      scene_.templates.pop_back();  // not a template without a name: the name was reported
+    }
     scene_.nodes[node].location = context_.place(item);
     read_contents(node, fields);
     read_frames();

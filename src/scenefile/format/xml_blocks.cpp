@@ -345,7 +345,7 @@ Rare<TextureUse> read_texture(const WrittenXml& from, bool is_texture, Primitive
   }
   const std::array<const XmlAttribute*, 3> in_order = {file, from.tag.find("u"),
                                                        from.tag.find("v")};
-  report_order(from.context, from.tag, in_order);
+  report_order(from.context, from.tag, in_order, known);
   TextureUse texture{std::string(file->value), 1, 1, from.tag.location};
   for (const XmlAttribute& attribute : from.tag.attributes) {
     if (&attribute == file) {
@@ -600,7 +600,8 @@ std::optional<ObjectTag> read_object_tag(const XmlContext& context, const XmlTag
     return std::nullopt;
   }
   const std::array<const XmlAttribute*, 3> in_order = {found.type, found.name, found.filename};
-  report_order(context, tag, in_order);
+  constexpr std::string_view names[] = {"type", "name", "filename"};
+  report_order(context, tag, in_order, names);
   const std::optional<ObjectType> type = read_type(context, *found.type, found.name != nullptr);
   if (!type || !name_fits(context, found.name) || !name_fits(context, found.filename)) {
     return std::nullopt;

@@ -95,6 +95,17 @@ std::vector<std::string_view> missing_names(const Signature& signature, const Pa
   return missing;
 }
 
+// The names of all parts, of missing ones as in missing_names().
+std::vector<std::string_view> names_of_parts(const Signature& signature, const Parts& parts) {
+  const std::vector<std::string_view> missing = missing_names(signature, parts);
+  std::vector<std::string_view> names;
+  auto next = missing.begin();
+  for (std::size_t i = 0; i < signature.parts; ++i) {
+    names.push_back(parts[i] != nullptr ? parts[i]->name : *next++);
+  }
+  return names;
+}
+
 std::size_t index_of_part(const Signature& signature, std::string_view name) {
   for (const AttributeForm& form : signature.forms) {
     for (std::size_t i = 0; i < signature.parts; ++i) {
@@ -136,6 +147,9 @@ void settle_missing(const XmlContext& context, const XmlTag& tag, const Signatur
   for (const XmlAttribute* const attribute : unknown) {
     const std::vector<std::string_view> missing = missing_names(signature, parts);
     const bool only = unknown.size() == 1 && missing.size() == 1;
+    const auto begins_with = [&](std::string_view name) {
+      return equal_ignoring_case(attribute->name.substr(0, name.size()), name);
+    };
     const auto part = std::find_if(missing.begin(), missing.end(), [&](std::string_view name) {
       return only || begins_with(name);
     });
@@ -148,9 +162,6 @@ void settle_missing(const XmlContext& context, const XmlTag& tag, const Signatur
   }
 }
 
-    const auto begins_with = [&](std::string_view name) {
-      return equal_ignoring_case(attribute->name.substr(0, name.size()), name);
-    };
 // Reports attributes that are not parts; a misspelled one takes the place of a missing part.
 void settle_others(const XmlContext& context, const XmlTag& tag, const Signature& signature,
                    Parts& parts) {
@@ -494,6 +505,7 @@ std::optional<Parts> find_parts(const XmlContext& context, const XmlTag& tag,
     report_alias(context, tag, signature, found.parts);
   }
   const bool by_order_too = signature.free_names && take_rest(context, tag, signature, found.parts);
+  const std::vector<std::string_view> names = names_of_parts(signature, found.parts);
   settle_others(context, tag, signature, found.parts);
   const auto end = found.parts.begin() + static_cast<std::ptrdiff_t>(signature.parts);
   if (!signature.optional && std::find(found.parts.begin(), end, nullptr) != end) {
@@ -501,13 +513,14 @@ std::optional<Parts> find_parts(const XmlContext& context, const XmlTag& tag,
     return std::nullopt;
   }
   if (!by_order_too) {
-    report_order(context, tag, std::span(found.parts).first(signature.parts));
+    report_order(context, tag, std::span(found.parts).first(signature.parts), names);
   }
   return found.parts;
 }
 
 void report_order(const XmlContext& context, const XmlTag& tag,
-                  std::span<const XmlAttribute* const> in_order) {
+                  std::span<const XmlAttribute* const> in_order,
+                  std::span<const std::string_view> names) {
   Parts wanted{};
   const auto end = std::remove_copy(in_order.begin(), in_order.end(), wanted.begin(), nullptr);
   // Attributes are stored in the order of the text, so pointers can be compared.
@@ -522,14 +535,16 @@ void report_order(const XmlContext& context, const XmlTag& tag,
   if (other.first == end) {
     return;
   }
-  std::vector<std::string> names;
-  for (auto attribute = wanted.begin(); attribute != end; ++attribute) {
-    names.push_back(escaped((*attribute)->name, 40));
+  std::vector<std::string_view> present;
+  for (std::size_t i = 0; i < in_order.size(); ++i) {
+    if (in_order[i] != nullptr) {
+      present.push_back(names[i]);
+    }
   }
   context.report("xml.attribute-order"_code, **other.second,
                  fmt::format("the attributes of {} were read by their names; programs that use "
                              "their order differ: write them in the order {}",
-                             element_text(tag.name), fmt::join(names, ", ")));
+                             element_text(tag.name), fmt::join(present, ", ")));
 }
 
 bool read_number(const XmlContext& context, const XmlTag& tag, const XmlAttribute& attribute,

@@ -76,9 +76,10 @@ void report_missing(const XmlContext& context, const XmlTag& tag, const Signatur
                     const Parts& parts);
 
 /// Warns if the attributes are not in the order of `in_order`, because programs that only use the
-/// order would read other values. Null parts are missing.
+/// order would read other values. Null parts are missing. `names`: of the parts, in the format.
 void report_order(const XmlContext& context, const XmlTag& tag,
-                  std::span<const XmlAttribute* const> in_order);
+                  std::span<const XmlAttribute* const> in_order,
+                  std::span<const std::string_view> names);
 
 /// Each of these returns false, after an error, if an attribute is missing or not a number; the
 /// numbers that could not be read are then 0. They write in place because the processor stalls when
@@ -103,8 +104,8 @@ std::optional<ValueKind> kind_of_element(std::string_view element);
 std::string as_attributes(std::string_view element, std::string_view text);
 
 /// Reports an error about a missing attribute and the unknown one that was probably meant to be it.
-void report_meant(const XmlContext& context, const XmlTag& tag, const XmlAttribute& attribute,
 /// `certain`: of the correction.
+void report_meant(const XmlContext& context, const XmlTag& tag, const XmlAttribute& attribute,
                   std::string_view missing, bool certain);
 
 /// Reports an attribute that the format does not have; suggests the nearest of `known`.

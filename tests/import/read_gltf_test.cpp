@@ -184,6 +184,17 @@ TEST(ReadGltf, ChecksTheTreeOfNodes) {
       &"import.value"_code);
 }
 
+TEST(ReadGltf, SaysWhatIsWrongWithTransforms) {
+  const auto message = [](const std::string& transform) {
+    Diagnostics diagnostics;
+    read_gltf("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{" + transform + "}]}", {}, diagnostics);
+    return diagnostics.list().empty() ? "" : diagnostics.list()[0].message;
+  };
+  EXPECT_EQ(message(R"("scale":[1e39,1,1])"), "nodes[0].scale has a number that is too large");
+  EXPECT_EQ(message(R"("rotation":[0,0,1])"), "nodes[0].rotation should be 4 numbers");
+  EXPECT_EQ(message(R"("scale":[1,"1",1])"), "nodes[0].scale should be 3 numbers");
+}
+
 TEST(ReadGltf, EnforcesItsLimits) {
   Limits limits;
   limits.mesh_triangles = 0;

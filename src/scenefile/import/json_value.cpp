@@ -31,7 +31,7 @@ std::vector<JsonValue> JsonValue::elements() const {
 }
 
 std::optional<double> JsonValue::number() const {
-  if (tape_ == nullptr || !tape_->is_number(at_)) {
+  if (!is_number()) {
     return std::nullopt;
   }
   const ParsedNumber parsed = parse_number(tape_->raw(at_));

@@ -28,6 +28,9 @@ class JsonValue {
   /// The elements of an array; empty for any other value.
   std::vector<JsonValue> elements() const;
 
+  /// Whether it is written as a number, also one that is too large for number().
+  bool is_number() const { return tape_ != nullptr && tape_->is_number(at_); }
+
   bool is_true() const { return tape_ != nullptr && tape_->first_character(at_) == 't'; }
   std::optional<double> number() const;
   /// An integer from 0 to 2^53; nullopt for any other value.

@@ -181,7 +181,12 @@ class GltfReader {
   std::vector<Transform> read_transforms(const JsonValue& json, std::uint32_t index) {
     std::vector<Transform> list;
     const auto wrong = [&](std::string_view member, std::size_t count) {
-      fail(fmt::format("nodes[{}].{} should be {} numbers", index, member, count));
+      const std::vector<JsonValue> given = json[member].elements();
+      const bool numbers = given.size() == count &&
+                           std::all_of(given.begin(), given.end(),
+                                       [](const JsonValue& value) { return value.is_number(); });
+      fail(numbers ? fmt::format("nodes[{}].{} has a number that is too large", index, member)
+                   : fmt::format("nodes[{}].{} should be {} numbers", index, member, count));
     };
     if (const JsonValue matrix = json["matrix"]) {
       const auto m = matrix.numbers(16);

@@ -182,6 +182,9 @@ TEST(ReadGltf, ChecksTheTreeOfNodes) {
   EXPECT_EQ(
       first_error(start + "[{\"children\":[1]},{\"children\":[0]}],\"scenes\":[{\"nodes\":[0]}]}"),
       &"import.value"_code);
+  EXPECT_EQ(first_error(start + "[{}],\"scenes\":[{\"nodes\":[0]}],\"scene\":0}"), nullptr);
+  EXPECT_EQ(first_error(start + "[{}],\"scenes\":[{\"nodes\":[0]}],\"scene\":7}"),
+            &"import.value"_code);
 }
 
 TEST(ReadGltf, SaysWhatIsWrongWithTransforms) {

@@ -100,7 +100,8 @@ class GltfReader {
       }
     }
     const std::vector<JsonValue> scenes = file_.root["scenes"].elements();
-    const std::uint64_t chosen = file_.root["scene"].whole().value_or(0);
+    const std::uint32_t chosen =
+        file_.root["scene"] ? index(file_.root["scene"], scenes.size(), "scene") : 0;
     std::set<std::uint32_t> seen;
     if (chosen < scenes.size()) {
       for (const JsonValue& root : scenes[chosen]["nodes"].elements()) {

@@ -143,6 +143,13 @@ TEST(Archive, DamageIsReported) {
   const Visit visit = visited(wrong);
   EXPECT_THAT(visit.entries.at(0), HasSubstr("a.png: it is damaged: "));
   EXPECT_THAT(visit.entries.at(1), "b=x");
+  // libarchive ends this message with a line break.
+  std::string longer =
+      write_archive("a.zip", {{"a.png", "The quick brown fox jumps over the lazy dog"}, {"b"}});
+  ++longer.at(22);  // the size in the header of the entry
+  const std::string why = visited(longer).entries.at(0);
+  EXPECT_THAT(why, HasSubstr("a.png: it is damaged: "));
+  EXPECT_EQ(why.find('\n'), std::string::npos);
 }
 
 TEST(Archive, OfFilesOnlyRegularOnes) {

@@ -127,10 +127,12 @@ bool is_junk_path(std::string_view path) {
   }
 }
 
-// libarchive does not always have one.
+// libarchive does not always have one, and some end with a line break.
 std::string_view message(const Library& library, ::archive* archive) {
-  const char* const text = library.error_string(archive);
-  return text == nullptr || *text == '\0' ? "unknown error" : text;
+  const char* const given = library.error_string(archive);
+  std::string_view text = given == nullptr ? "" : given;
+  text = text.substr(0, text.find_last_not_of(blanks) + 1);
+  return text.empty() ? "unknown error" : text;
 }
 
 // Goes through an archive that is open.

@@ -27,8 +27,8 @@ std::string with_headers(const std::vector<std::string>& messages) {
 
 void say_no_header() {
   say_error(
-      "a message without the header Content-Length; \"scenefile lsp\" is for editors: "
-      "docs/editors.md");
+      "a message without a header Content-Length that is a number of bytes up to 256,000,000; "
+      "\"scenefile lsp\" is for editors: docs/editors.md");
 }
 
 ExitCode run_lsp(const Options& options, Context& context) {

@@ -60,6 +60,12 @@ TEST(Lsp, SaysWhatItIsForWithoutAnEditor) {
   const ProgramRun run = run_program({"lsp"}, {.input = "hello\r\n\r\n"});
   EXPECT_EQ(run.status, 1);
   EXPECT_THAT(run.err, HasSubstr("docs/editors.md"));
+  for (const char* const length : {"99999999999999", "-1", "abc", ""}) {
+    const ProgramRun wrong =
+        run_program({"lsp"}, {.input = std::string("Content-Length: ") + length + "\r\n\r\n{}"});
+    EXPECT_EQ(wrong.status, 1);
+    EXPECT_THAT(wrong.err, HasSubstr("Content-Length that is a number of bytes up to 256,000,000"));
+  }
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ constexpr std::size_t max_message_bytes = 256'000'000;
 constexpr std::size_t max_header_bytes = 10'000;
 constexpr std::string_view header_end = "\r\n\r\n";
 
-// The number after `Content-Length:`; nullopt if there is none.
+// The number after `Content-Length:`; nullopt if there is none, or one above the limit.
 std::optional<std::size_t> length_in(std::string_view header) {
   constexpr std::string_view name = "content-length:";
   while (!header.empty()) {
@@ -29,7 +29,7 @@ std::optional<std::size_t> length_in(std::string_view header) {
     header.remove_prefix(std::min(end + 2, header.size()));
     if (line.size() > name.size() && equal_ignoring_case(line.substr(0, name.size()), name)) {
       line.remove_prefix(std::min(line.find_first_not_of(' ', name.size()), line.size()));
-      std::size_t length = 0;
+      std::size_t length = line.empty() || !is_digit(line[0]) ? max_message_bytes + 1 : 0;
       while (!line.empty() && is_digit(line[0]) && length <= max_message_bytes) {
         length = 10 * length + static_cast<std::size_t>(line[0] - '0');
         line.remove_prefix(1);

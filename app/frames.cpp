@@ -262,7 +262,8 @@ class Frames {
       const Item item = bytes ? read_item(*bytes) : Item();
       there_[index] = there_[index] && item.key == key_of(index);
       const bool foreign = item.state == ItemState::intact && item.key != key_of(index);
-      if (!options_.overwrite && (foreign || item.state == ItemState::none)) {
+      const bool other = item.state == ItemState::none && !(bytes && bytes->empty());
+      if (!options_.overwrite && (foreign || other)) {
         return refusal(file, "-o",
                        foreign ? "the frame was drawn " + key_mismatch(item.key, key_of(index))
                                : "the file exists, and is not a frame");

@@ -99,6 +99,9 @@ TEST_F(FramesTest, ExistingFramesAreSkipped) {
   folder.write("f2.png", changed);
   EXPECT_EQ(counts(), std::pair(1, 2));
   EXPECT_TRUE(folder.read("f2.png") == second);
+  folder.write("f2.png", "");
+  EXPECT_EQ(counts(), std::pair(1, 2));
+  EXPECT_TRUE(folder.read("f2.png") == second);
   EXPECT_THAT(folder.list(), ElementsAre("f1.png", "f2.png", "f3.png", "scene.xml", "views.json"));
 }
 

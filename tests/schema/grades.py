@@ -27,8 +27,10 @@ def answer(program, scene, folder):
         subprocess.run([program, "render", scene, "--size", "32x24", "--quiet", "-o", folder / name, *more],
                        check=True)
     draw("right/ball.png")
+    draw("right/glow.exr")
     draw("class/ada/ball.png")
     draw("class/ben/ball.png", "--mode", "normals")
+    draw("class/ben/glow.exr", "--mode", "normals")
     draw("class/ben/other.png")
     draw("class/nobody.png")
     (folder / "class/cleo").mkdir()
@@ -72,6 +74,7 @@ def broken(document):
     yield change(lambda d: d["students"][0]["pictures"][0].update(verdict="good"))
     yield change(lambda d: d["students"][0]["pictures"][0].pop("psnr_db"))
     yield change(lambda d: d["students"][0]["pictures"][0].update(verdict="missing"))
+    yield change(lambda d: d["students"][0]["pictures"][0].update(linear="no"))
 
 
 def main(program, scene):

@@ -97,10 +97,13 @@ PixelStatistics statistics_of(const PathState& state, std::size_t at) {
   const glm::dvec3 sum = state.sums[at];
   const PathGuides& guides = state.guides[at];
   PixelStatistics pixel;
-  pixel.signal = glm::min(sum / n, 1e15);
+  // Without its texture, light varies slowly. Black surfaces may be seen beside others.
+  const glm::dvec3 scale = glm::max(guides.albedo / n, 1e-3);
+  pixel.scale = scale;
+  pixel.signal = glm::min(sum / n / scale, 1e15);
   for (int c = 0; c < 3; ++c) {
-    pixel.variance[c] =
-        static_cast<float>(std::min(variance_of_mean(guides.squares[c], sum[c] * sum[c], n), 1e30));
+    const double variance = variance_of_mean(guides.squares[c], sum[c] * sum[c], n);
+    pixel.variance[c] = static_cast<float>(std::min(variance / (scale[c] * scale[c]), 1e30));
   }
   pixel.normal = guides.normal / n;
   pixel.albedo = guides.albedo / n;

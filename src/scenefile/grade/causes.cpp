@@ -81,9 +81,76 @@ bool shows_bright_pixels(const Simulation& sim, const Tried& t) {
   return 2 * right >= points.size();
 }
 
+// Whether the mistakes also explain the pixels that are not evidence one by one, because
+// compression changed them: it hardly changes the means of its blocks, of at most 16x16 pixels.
+bool explains_blocks(const Simulation& sim, const Tried& t) {
+  constexpr int side = 16;
+  constexpr std::size_t max_blocks = 24;
+  constexpr double min_share = 0.7;  // less than `enough`: the means are inexact, too
+  if (std::none_of(sim.noise().begin(), sim.noise().end(), [](float n) { return std::isinf(n); })) {
+    return true;
+  }
+  const auto mean_of = [&](const auto& color, const glm::ivec2& corner) {
+    dvec3 sum(0);
+    for (int i = 0; i < side * side; ++i) {
+      sum += color(corner + glm::ivec2(i % side, i / side), i);
+    }
+    return sum / double(side * side);
+  };
+  const auto of_picture = [](const Texture& picture) {
+    return [&picture](const glm::ivec2& p, int /*index*/) { return at(picture, p.x, p.y); };
+  };
+  std::vector<glm::ivec2> corners;
+  for (int y = 0; y + side <= sim.test.height; y += side) {
+    for (int x = 0; x + side <= sim.test.width; x += side) {
+      const dvec3 off =
+          mean_of(of_picture(sim.test), {x, y}) - mean_of(of_picture(sim.reference), {x, y});
+      if (largest_of(glm::abs(off)) > 2 * tolerance) {
+        corners.emplace_back(x, y);
+      }
+    }
+  }
+  std::shuffle(corners.begin(), corners.end(), std::mt19937(6));
+  corners.resize(std::min(corners.size(), max_blocks));
+  std::vector<Point> points;
+  for (const glm::ivec2& corner : corners) {
+    for (int i = 0; i < side * side; ++i) {
+      Point& p = points.emplace_back();
+      p.x = corner.x + i % side;
+      p.y = corner.y + i / side;
+    }
+  }
+  const Turn turn = sim.turn_of(t.mistakes);
+  Colors colors;
+  if (sim.stage_of(t.mistakes) == Stage::picture) {
+    for (const Point& p : points) {
+      const glm::ivec2 before(sim.middle(p, turn));
+      colors.push_back(at(sim.reference, before.x, before.y));
+    }
+  } else {
+    const Trial trial = sim.trial_of(t.mistakes);
+    colors =
+        sim.draw(trial, *sim.shapes_of(t.mistakes, trial), points, points.size(), turn, nullptr);
+  }
+  colors = sim.finished(t.mistakes, std::move(colors));
+  double all = 0;
+  double left = 0;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const dvec3 test = mean_of(of_picture(sim.test), corners[k]);
+    const dvec3 shown = mean_of(
+        [&](const glm::ivec2& /*place*/, int i) {
+          return glm::clamp(colors[k * side * side + std::size_t(i)], dvec3(0), dvec3(255));
+        },
+        corners[k]);
+    all += largest_of(glm::abs(mean_of(of_picture(sim.reference), corners[k]) - test));
+    left += largest_of(outside(shown, test - tolerance, test + tolerance));
+  }
+  return left <= (1 - min_share) * all;
+}
+
 // Whether the picture with the mistakes is not just black: many mistakes make a picture black.
 bool shows_much(const Simulation& sim, const Tried& t) {
-  if (!shows_bright_pixels(sim, t)) {
+  if (!shows_bright_pixels(sim, t) || !explains_blocks(sim, t)) {
     return false;
   }
   double bright = 0;
@@ -183,6 +250,12 @@ void name_ties(const Simulation& sim, const Tried& found, const std::vector<Trie
   std::set<std::uint16_t> seen_instead;
   for (std::size_t k = 0; k < found.mistakes.size(); ++k) {
     std::vector<std::uint16_t> same = same_instead(sim, found.mistakes, found.mistakes[k]);
+    std::erase_if(same, [&](std::uint16_t i) {
+      Tried other = found;
+      other.mistakes[k] = i;
+      std::sort(other.mistakes.begin(), other.mistakes.end());
+      return !explains_blocks(sim, other);
+    });
     if (same.empty() || shows_at_edges(sim.list[found.mistakes[k]]) ||
         features_left_out(sim, found.mistakes, found.mistakes[k])) {
       continue;
@@ -542,6 +615,7 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
     std::erase_if(ranked, [](const Tried& t) { return t.merit() < part; });
   }
   std::vector<Tried> alone = verified(sim, ranked, 16, 0.3, 0.4);
+  std::erase_if(alone, [&](const Tried& t) { return good(t) && !explains_blocks(sim, t); });
   if (sim.stopped && alone.empty()) {
     return;
   }

@@ -343,6 +343,11 @@ void add_attenuation(HypothesisList& list) {
        {A::clamped_below, "the attenuation is clamped to at least 1 instead of at most 1"}});
   list.set(Cause::attenuation, &ModelMistakes::light_sum, LightSum::attenuated_again,
            "the attenuation of each light is also applied to what was added before it");
+  if (list.any_type(has_cone)) {
+    put({{A::specular_only_with_cone,
+          "attenuation and the falloff of spotlights multiply only the specular term, not the sum "
+          "of both terms"}});
+  }
   if (list.any_type(has_cone) && list.any_type(is_plain_point)) {
     put({{A::spots_only, "point lights do not fade with distance; spotlights do"},
          {A::points_only, "spotlights do not fade with distance; point lights do"}});

@@ -99,16 +99,17 @@ enum class AttenuationMistake : std::uint8_t {
   multiplied,    ///< multiplied by the polynomial instead of divided
   diffuse_only,  ///< highlights are not attenuated
   specular_only,
-  one_plus,          ///< 1 / (1 + polynomial)
-  squared_distance,  ///< the squared distance is used as the distance
-  to_eye,            ///< by the distance from the light to the eye
-  eye_to_point,      ///< by the distance from the eye to the point
-  from_origin,       ///< by the distance from the world's origin to the light
-  spots_only,        ///< point lights do not fade
-  points_only,       ///< spotlights do not fade
-  clamped_below,     ///< max(1, f)
-  infinite_white,    ///< not clamped: 1 / 0 is infinite, and 0 * infinity is stored as 255
-  infinite_black,    ///< ... stored as 0
+  one_plus,                 ///< 1 / (1 + polynomial)
+  squared_distance,         ///< the squared distance is used as the distance
+  to_eye,                   ///< by the distance from the light to the eye
+  eye_to_point,             ///< by the distance from the eye to the point
+  from_origin,              ///< by the distance from the world's origin to the light
+  spots_only,               ///< point lights do not fade
+  points_only,              ///< spotlights do not fade
+  clamped_below,            ///< max(1, f)
+  infinite_white,           ///< not clamped: 1 / 0 is infinite, and 0 * infinity is stored as 255
+  infinite_black,           ///< ... stored as 0
+  specular_only_with_cone,  ///< the diffuse term has no falloff of spotlights, either
 };
 
 enum class SpotMistake : std::uint8_t {

@@ -647,6 +647,7 @@ double faded(const glm::vec3& coefficients, double d, AttenuationMistake mistake
     case AttenuationMistake::to_eye:
     case AttenuationMistake::diffuse_only:
     case AttenuationMistake::specular_only:
+    case AttenuationMistake::specular_only_with_cone:
       break;
   }
   return limited(right);
@@ -789,6 +790,8 @@ bool Model::arrival(const RenderLight& light, const Surface& s, const dvec2& on_
     arriving.specular_factor = spot;
   } else if (m_.attenuation == AttenuationMistake::specular_only) {
     arriving.factor = spot;
+  } else if (m_.attenuation == AttenuationMistake::specular_only_with_cone) {
+    arriving.factor = 1;
   }
   arriving.to_light = arriving.toward;
   switch (mistake) {

@@ -78,9 +78,10 @@ void add_camera(HypothesisList& list) {
           std::tan(h) / right);
   stretch(list, "a quarter of the field of view is used as the half angle", std::tan(h / 4) / right,
           std::tan(h / 4) / right);
-  stretch(list, "the field of view is in degrees instead of radians", std::tan(degrees / 2) / right,
-          std::tan(degrees / 2) / right);
-  stretch(list, "the field of view is in degrees instead of radians, and not halved",
+  stretch(list, "the field of view in degrees is passed to a function that takes radians",
+          std::tan(degrees / 2) / right, std::tan(degrees / 2) / right);
+  stretch(list,
+          "the field of view in degrees is passed to a function that takes radians, and not halved",
           std::tan(degrees) / right, std::tan(degrees) / right);
   stretch(list, "the angle itself is used instead of its tangent", h / 2 / right, h / 2 / right);
   stretch(list, "the sine of the angle is used instead of its tangent", std::sin(h / 2) / right,

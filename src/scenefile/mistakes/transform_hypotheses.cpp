@@ -214,7 +214,7 @@ void add_transforms(HypothesisList& list) {
     return rotate != nullptr && rotate->angle_deg != 0;
   };
   rewrite_each(list, "rotations turn the wrong way", [&](Transform& t) { return turned(t, -1); });
-  rewrite_each(list, "angles of rotations are in degrees instead of radians",
+  rewrite_each(list, "angles of rotations in degrees are passed to functions that take radians",
                [&](Transform& t) { return turned(t, float(180 / pi)); });
   rewrite_each(list, "angles of rotations are converted to radians twice",
                [&](Transform& t) { return turned(t, float(pi / 180)); });

@@ -37,7 +37,8 @@ std::string causes_text(const PictureComparison& found) {
                         : "cause: none; the picture is right, at another size\n";
   } else if (report.claims.empty() && found.measures.same_size && found.scene_fits()) {
     text += !report.notes.empty()
-                ? fmt::format("cause: none; the pictures only differ in that, {}\n", found.details)
+                ? fmt::format("cause: none; apart from that, the pictures only differ {}\n",
+                              found.details)
             : report.only_details
                 ? fmt::format("cause: none; the pictures only differ {}\n", found.details)
             : found.other_outlines

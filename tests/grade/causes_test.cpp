@@ -451,6 +451,7 @@ TEST(Causes, Blinn) {
 
 TEST(Causes, Attenuation) {
   expect_named(Cause::attenuation, {"attenuation-none"});
+  expect_named(Cause::attenuation, {"attenuation-of-highlights"});
 }
 
 TEST(Causes, Normals) {

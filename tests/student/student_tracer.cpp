@@ -381,6 +381,7 @@ constexpr KnownMistake table[] = {
     {"output-tonemapped", "output", "gamma"},
     {"output-negative", "output", "brightness"},
     {"output-channels-turned", "output", "swapped-channels"},
+    {"attenuation-of-highlights", "attenuation", "attenuation"},
 };
 
 using Made = MadeMistakes<table>;
@@ -1436,7 +1437,8 @@ class Tracer {
       }
       const vec3 diffuse = weight * base * (has("diffuse-no-light-color") ? vec3(1) : light_color);
       highlight *= has("specular-no-light-color") ? vec3(1) : light_color;
-      const vec3 added = strength * (diffuse + highlight);
+      const vec3 added = has("attenuation-of-highlights") ? diffuse + strength * highlight
+                                                          : strength * (diffuse + highlight);
       if (has("light-replaces")) {
         color = added;
         continue;

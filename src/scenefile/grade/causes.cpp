@@ -110,8 +110,13 @@ bool explains_blocks(const Simulation& sim, const Tried& t) {
       }
     }
   }
-  std::shuffle(corners.begin(), corners.end(), std::mt19937(6));
-  corners.resize(std::min(corners.size(), max_blocks));
+  // As in add_points(): std::shuffle() differs between libraries.
+  std::mt19937 random(6);
+  const std::size_t count = std::min(corners.size(), max_blocks);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::swap(corners[i], corners[i + random() % (corners.size() - i)]);
+  }
+  corners.resize(count);
   std::vector<Point> points;
   for (const glm::ivec2& corner : corners) {
     for (int i = 0; i < side * side; ++i) {
@@ -148,7 +153,8 @@ bool explains_blocks(const Simulation& sim, const Tried& t) {
   return left <= (1 - min_share) * all;
 }
 
-// Whether the picture with the mistakes is not just black: many mistakes make a picture black.
+// Whether the picture with the mistakes is not just black, because many mistakes make a picture
+// black, and explains a JPEG everywhere.
 bool shows_much(const Simulation& sim, const Tried& t) {
   if (!shows_bright_pixels(sim, t) || !explains_blocks(sim, t)) {
     return false;

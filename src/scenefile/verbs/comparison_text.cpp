@@ -36,17 +36,18 @@ std::string causes_text(const PictureComparison& found) {
     text += found.place ? "cause: none; the part that was compared is right\n"
                         : "cause: none; the picture is right, at another size\n";
   } else if (report.claims.empty() && found.measures.same_size && found.scene_fits()) {
-    text += !report.notes.empty()
-                ? fmt::format("cause: none; apart from that, the pictures only differ {}\n",
-                              found.details)
-            : report.only_details
-                ? fmt::format("cause: none; the pictures only differ {}\n", found.details)
-            : found.other_outlines
-                ? "cause: no known mistake explains the difference, and few edges match: is this a "
-                  "picture of the same scene, from the same camera?\n"
-            : found.scene_used ? "cause: no known mistake explains the difference\n"
-                               : "cause: none found from the pictures alone; most causes need "
-                                 "--scene SCENE, the scene of the pictures\n";
+    text +=
+        !report.notes.empty()
+            ? fmt::format("cause: none; apart from the following, the pictures only differ {}\n",
+                          found.details)
+        : report.only_details
+            ? fmt::format("cause: none; the pictures only differ {}\n", found.details)
+        : found.other_outlines
+            ? "cause: no known mistake explains the difference, and few edges match: is this a "
+              "picture of the same scene, from the same camera?\n"
+        : found.scene_used ? "cause: no known mistake explains the difference\n"
+                           : "cause: none found from the pictures alone; most causes need "
+                             "--scene SCENE, the scene of the pictures\n";
     if (!report.confined.empty()) {
       text += fmt::format("       {}\n", report.confined);
     }

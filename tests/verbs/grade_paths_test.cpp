@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -18,7 +19,6 @@
 namespace scenefile {
 namespace {
 
-using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -255,11 +255,15 @@ TEST_F(GradePaths, NoisyVariantsAreDrawnAgainAsByDiff) {
   judge();
   EXPECT_EQ(draws, 1);
   EXPECT_EQ(verdict.chi2_per_value, once.chi2_per_value);
-  if (!once.conventions.empty()) {                // otherwise the machine is too slow
-    const Gradebook book = grade(1.4 * seconds);  // so that other work does not matter
+  // Other work slows a machine: then the truth needs more time.
+  bool said = once.conventions.empty();
+  for (double longer = 1.4; !said && longer < 12; longer *= 2) {
+    const Gradebook book = grade(longer * seconds);
     ASSERT_EQ(book.students.size(), 1);
-    EXPECT_THAT(book.students[0].pictures[1].notes, Contains(once.conventions.front().what));
+    const std::vector<std::string>& notes = book.students[0].pictures[1].notes;
+    said = std::find(notes.begin(), notes.end(), once.conventions.front().what) != notes.end();
   }
+  EXPECT_TRUE(said);
 }
 
 TEST_F(GradePaths, ThePixelsAroundOneAreComparedWithTheTruth) {

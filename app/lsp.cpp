@@ -2,6 +2,7 @@
 #include "app/output.h"
 #include "app/serve_editor.h"
 #include "scenefile/io/asset_roots.h"
+#include "scenefile/io/message_reader.h"
 #include "scenefile/verbs/load_file.h"
 
 #include <fmt/format.h>
@@ -26,9 +27,10 @@ std::string with_headers(const std::vector<std::string>& messages) {
 }
 
 void say_no_header() {
-  say_error(
-      "a message without a header Content-Length that is a number of bytes up to 256,000,000; "
-      "\"scenefile lsp\" is for editors: docs/editors.md");
+  say_error(fmt::format(
+      "a message without a header Content-Length that is a number of bytes, up to {} million; "
+      "\"scenefile lsp\" is for editors: docs/editors.md",
+      max_message_bytes / 1'000'000));
 }
 
 ExitCode run_lsp(const Options& options, Context& context) {

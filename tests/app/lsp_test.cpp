@@ -64,7 +64,8 @@ TEST(Lsp, SaysWhatItIsForWithoutAnEditor) {
     const ProgramRun wrong =
         run_program({"lsp"}, {.input = std::string("Content-Length: ") + length + "\r\n\r\n{}"});
     EXPECT_EQ(wrong.status, 1);
-    EXPECT_THAT(wrong.err, HasSubstr("Content-Length that is a number of bytes up to 256,000,000"));
+    EXPECT_THAT(wrong.err,
+                HasSubstr("Content-Length that is a number of bytes, up to 256 million"));
   }
 }
 

@@ -433,6 +433,8 @@ TEST(Causes, HalfPixelShift) {
 TEST(Causes, Ambient) {
   expect_named(Cause::ambient, {"ambient-missing"});
   expect_named(Cause::ambient, {"ambient-twice"});
+  expect_named(Cause::ambient, {"ambient-faded"});
+  expect_named(Cause::ambient, {"ambient-in-sum"});
 }
 
 TEST(Causes, Diffuse) {
@@ -452,6 +454,7 @@ TEST(Causes, Blinn) {
 TEST(Causes, Attenuation) {
   expect_named(Cause::attenuation, {"attenuation-none"});
   expect_named(Cause::attenuation, {"attenuation-of-highlights"});
+  expect_named(Cause::attenuation, {"attenuation-of-diffuse"});
 }
 
 TEST(Causes, Normals) {
@@ -565,10 +568,40 @@ TEST(Causes, SaysWhatPixelsWithoutAKnownMistakeHaveInCommon) {
 
 TEST(Causes, Shadows) {
   expect_named(Cause::shadows, {"shadow-none"});
+  expect_named(Cause::shadows, {"shadow-directional-only"});
+  expect_named(Cause::shadows, {"shadow-resets"});
 }
 
 TEST(Causes, Acne) {
   expect_named(Cause::acne, {"shadow-acne", "mirror-acne"});
+}
+
+// Rounding may be the same all over a face, which then shadows itself as a whole.
+TEST(Causes, AcneOfAWholeFace) {
+  for (const std::uint32_t seed : {1u, 2u, 3u}) {
+    GeneratedScene scene(seed);
+    for (RenderMaterial& m : scene.builder.scene.materials) {
+      m.reflective = glm::vec3(0);
+    }
+    GeneratedScene unlit = scene;
+    unlit.builder.scene.lights.clear();
+    GeneratedScene without_wall = unlit;
+    std::vector<RenderPrimitive>& shapes = without_wall.builder.scene.groups[0].primitives;
+    shapes.erase(shapes.begin() + 1);
+    const Texture dark = unlit.drawn_by_student({});
+    const Texture other = without_wall.drawn_by_student({});
+    Texture picture = scene.drawn_by_student({"shadow-acne"});
+    for (int i = 0; i < width * height; ++i) {
+      const std::uint8_t* wall = dark.texel(i % width, i / width);
+      if (!std::equal(wall, wall + 3, other.texel(i % width, i / width))) {
+        std::copy_n(wall, 3, &picture.rgb[std::size_t{3} * i]);
+      }
+    }
+    const SceneView view = view_of(scene);
+    const CauseReport report = find_causes(reference_of(scene, false), picture, &view);
+    EXPECT_TRUE(report.claims.size() == 1 && report.claims.front().cause == Cause::acne)
+        << seed << ": " << said(report);
+  }
 }
 
 TEST(Causes, TexturesUpsideDown) {

@@ -11,6 +11,7 @@ NOT_RUN = {
     "accept-readings": "replaces what tests expect, which someone has to look at",
     "screenshots": "replaces pictures of the documentation, which someone has to look at",
     "web-serve": "runs until it is stopped; web-test uses the same server",
+    "packages-tried": "release-check tries the packages of both Debians",
     "ci-full": "runs .ci/full",
 }
 

@@ -382,6 +382,11 @@ constexpr KnownMistake table[] = {
     {"output-negative", "output", "brightness"},
     {"output-channels-turned", "output", "swapped-channels"},
     {"attenuation-of-highlights", "attenuation", "attenuation"},
+    {"attenuation-of-diffuse", "attenuation", "attenuation"},
+    {"shadow-directional-only", "shadows", "shadows"},
+    {"shadow-resets", "shadows", "shadows"},
+    {"ambient-faded", "ambient", "ambient"},
+    {"ambient-in-sum", "ambient", "ambient"},
 };
 
 using Made = MadeMistakes<table>;
@@ -1224,7 +1229,7 @@ class Tracer {
     if (has("strange-headlight")) {
       color += 0.4f * base * std::max(glm::dot(normal, eye), 0.0f);
     }
-    if (has("ambient-times-light")) {
+    if (has("ambient-times-light") || has("ambient-faded") || has("ambient-in-sum")) {
       color = vec3(0);
     }
     bool first_shadowed = false;
@@ -1300,6 +1305,7 @@ class Tracer {
       bool shadowed = false;
       const bool casts = !(directional && has("shadow-directional-none")) &&
                          !(light.type == LightType::point && has("shadow-points-none")) &&
+                         !(!directional && has("shadow-directional-only")) &&
                          !(depth > 0 && has("mirror-no-shadows"));
       if (job_.shadows && !has("shadow-none") && casts) {
         const float bias = has("shadow-acne")             ? 0.0f
@@ -1360,6 +1366,9 @@ class Tracer {
       }
       if (shadowed && has("shadow-black")) {
         return vec3(0);
+      }
+      if (shadowed && has("shadow-resets")) {
+        color = vec3(0);
       }
       any_light = any_light || !shadowed;
       const vec3 l = has("light-not-normalized") && !directional ? lamp.position - point : to_light;
@@ -1423,6 +1432,12 @@ class Tracer {
       if (has("ambient-times-light")) {
         color += light_color * ambient;
       }
+      if (has("ambient-faded")) {
+        color += strength * ambient;
+      }
+      if (has("ambient-in-sum") && !shadowed) {
+        color += strength * light_color * ambient;
+      }
       if (shadowed && has("shadow-half")) {
         color += 0.5f * strength * light_color * (weight * base + highlight);
       }
@@ -1438,6 +1453,7 @@ class Tracer {
       const vec3 diffuse = weight * base * (has("diffuse-no-light-color") ? vec3(1) : light_color);
       highlight *= has("specular-no-light-color") ? vec3(1) : light_color;
       const vec3 added = has("attenuation-of-highlights") ? diffuse + strength * highlight
+                         : has("attenuation-of-diffuse")  ? strength * diffuse + highlight
                                                           : strength * (diffuse + highlight);
       if (has("light-replaces")) {
         color = added;

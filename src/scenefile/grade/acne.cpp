@@ -32,7 +32,7 @@ constexpr double min_lacking_on_mirrors = 0.2;
 constexpr std::size_t few_dull = 5;       // pixels on surfaces without reflections
 constexpr std::size_t max_spots = 300;    // pixels to examine
 constexpr std::size_t first_spots = 80;   // pixels that must be promising, to examine more
-constexpr std::size_t max_windows = 60;   // to examine
+constexpr std::size_t max_windows = 60;   // to judge
 constexpr std::size_t max_subsets = 512;  // of lights and reflections
 constexpr int window = 2;                 // pixels on each side of the center
 
@@ -98,16 +98,27 @@ bool lacks_lights(const Expected& picture, const dvec3& test, const dvec3& full,
   return false;
 }
 
-// Right and wrong pixels in windows around some pixels. Only windows within one surface count.
+bool is_flat(const ModelHit& hit) {
+  return hit.part->shape == Shape::cube ||
+         (hit.face != 0 && (hit.part->shape == Shape::cylinder || hit.part->shape == Shape::cone));
+}
+
+// Right and wrong pixels in windows around some pixels. Only windows within one surface count, and
+// in them only pixels that light reaches.
 struct Alternation {
   std::size_t windows = 0;
   std::size_t inside = 0;  // windows within one surface
-  std::size_t mixed = 0;   // ... with right and wrong pixels
-  double changes = 0;      // from right to wrong between neighbors in these windows
-  double expected = 0;     // the same for as many right and wrong pixels in random order
+  // ... and that tell something: rounding may be the same all over a flat face, which then shadows
+  // itself as a whole.
+  std::size_t telling = 0;
+  std::size_t mixed = 0;  // ... with right and wrong pixels
+  double changes = 0;     // from right to wrong between neighbors in these windows
+  double expected = 0;    // the same for as many right and wrong pixels in random order
 };
 
-void look_around(const Simulation& sim, const Expected& picture, const Point& p, Alternation& a) {
+// `unlit`: as `picture`, without lights.
+void look_around(const Simulation& sim, const Expected& picture, const Model& unlit, const Point& p,
+                 Alternation& a) {
   constexpr int side = 2 * window + 1;
   constexpr int few = 3;
   if (p.x < window || p.y < window || p.x + window >= sim.test.width ||
@@ -116,29 +127,44 @@ void look_around(const Simulation& sim, const Expected& picture, const Point& p,
   }
   ++a.windows;
   const ModelHit center = picture.model().first_hit(picture.ray(p.x, p.y));
-  const auto on_center = [&](const ModelHit& hit) {
-    return hit.part != nullptr && hit.part == center.part && hit.face == center.face;
-  };
-  std::array<std::array<bool, side>, side> wrong;
-  int count = 0;
+  enum class State { dark, right, wrong };
+  std::array<std::array<State, side>, side> states;
+  int right = 0, wrong = 0;
   for (int v = 0; v < side; ++v) {
     for (int u = 0; u < side; ++u) {
-      const glm::ivec2 at_pixel(p.x + u - window, p.y + v - window);
-      if (!on_center(picture.model().first_hit(picture.ray(at_pixel.x, at_pixel.y)))) {
+      const int x = p.x + u - window, y = p.y + v - window;
+      const ModelRay ray = picture.ray(x, y);
+      const ModelHit hit = picture.model().first_hit(ray);
+      if (hit.part == nullptr || hit.part != center.part || hit.face != center.face) {
         return;
       }
-      wrong[v][u] = picture.differs(at_pixel.x, at_pixel.y);
-      count += wrong[v][u] ? 1 : 0;
+      State& state = states[v][u];
+      state = picture.differs(x, y) ? State::wrong : State::right;
+      if (state == State::right && largest_of(glm::abs(picture.shown(unlit.color(ray)) -
+                                                       at(sim.test, x, y))) <= right_within) {
+        state = State::dark;
+      }
+      right += state == State::right ? 1 : 0;
+      wrong += state == State::wrong ? 1 : 0;
     }
   }
   ++a.inside;
-  a.mixed += count >= few && side * side - count >= few ? 1 : 0;
-  const double density = double(count) / (side * side);
-  a.expected += 2 * side * (side - 1) * 2 * density * (1 - density);
+  if (right == 0 && is_flat(center)) {
+    return;
+  }
+  ++a.telling;
+  a.mixed += right >= few && wrong >= few ? 1 : 0;
+  const double density = double(wrong) / std::max(1, right + wrong);
+  const auto compare = [&](State one, State other) {
+    if (one != State::dark && other != State::dark) {
+      a.expected += 2 * density * (1 - density);
+      a.changes += one != other ? 1 : 0;
+    }
+  };
   for (int v = 0; v < side; ++v) {
     for (int u = 0; u + 1 < side; ++u) {
-      a.changes += wrong[v][u] != wrong[v][u + 1] ? 1 : 0;
-      a.changes += wrong[u][v] != wrong[u + 1][v] ? 1 : 0;
+      compare(states[v][u], states[v][u + 1]);
+      compare(states[u][v], states[u + 1][v]);
     }
   }
 }
@@ -157,22 +183,22 @@ double share(std::size_t part_of, std::size_t whole) {
 
 // Whether the spots are noise: they alternate with right pixels, and lie anywhere on surfaces,
 // unlike lines along silhouettes.
-bool is_noise(const Simulation& sim, const Expected& picture,
+bool is_noise(const Simulation& sim, const Expected& picture, const Model& unlit,
               const std::vector<const Point*>& spots) {
   Alternation wrong;
-  for (std::size_t i = 0; i < spots.size() && wrong.windows < max_windows; ++i) {
-    look_around(sim, picture, *spots[i], wrong);
+  for (std::size_t i = 0; i < spots.size() && wrong.telling < max_windows; ++i) {
+    look_around(sim, picture, unlit, *spots[i], wrong);
   }
   Alternation right;
   for (std::size_t i = 0; i < sim.points.size() && right.windows < max_windows; ++i) {
     const Point& p = sim.points[i];
     if (!p.differs && picture.model().first_hit(picture.ray(p.x, p.y)).part != nullptr) {
-      look_around(sim, picture, p, right);
+      look_around(sim, picture, unlit, p, right);
     }
   }
-  return wrong.inside >= few_windows &&
+  return wrong.telling >= few_windows &&
          share(wrong.inside, wrong.windows) >= 0.5 * share(right.inside, right.windows) &&
-         share(wrong.mixed, wrong.inside) >= min_mixed &&
+         share(wrong.mixed, wrong.telling) >= min_mixed &&
          wrong.changes >= min_noise * wrong.expected;
 }
 
@@ -208,7 +234,8 @@ Acne find_acne(const Simulation& sim, const Combination& made, double least) {
   std::size_t dull = 0;
   std::size_t lacking = 0;  // the color is exactly that without some lights
   std::size_t lacking_on_mirrors = 0;
-  // The same for colors that acne does not give: several lights fit many colors by chance.
+  // The same for colors that acne does not give: several lights fit many colors by chance, but all
+  // of them only one.
   std::size_t controls = 0;
   std::size_t lacking_by_chance = 0;
   std::size_t mirrors = 0;
@@ -255,9 +282,11 @@ Acne find_acne(const Simulation& sim, const Combination& made, double least) {
                    ? 1
                    : 0;
     const bool lacks = lacks_lights(picture, p.test, full, arriving);
+    const bool lacks_all = largest_of(glm::abs(unlit_color - p.test)) <= right_within;
     if (const dvec3 lack = lit - p.test; largest_of(glm::abs(lack)) > 24) {
       ++controls;
-      lacking_by_chance += lacks_lights(picture, lit - 0.7 * lack, full, arriving) ? 1 : 0;
+      lacking_by_chance +=
+          !lacks_all && lacks_lights(picture, lit - 0.7 * lack, full, arriving) ? 1 : 0;
     }
     if (m.reflective == glm::vec3(0)) {
       ++dull;
@@ -299,7 +328,7 @@ Acne find_acne(const Simulation& sim, const Combination& made, double least) {
          fmt::format("{} of the pixels that differ on mirrors show the mirror itself",
                      percent(mirrored)),
          mirrored});
-    return is_noise(sim, picture, spots) ? acne : Acne();
+    return is_noise(sim, picture, dark, spots) ? acne : Acne();
   }
   // On mirrors, the reflection may show acne, too, so the missing light may fit no set of lights.
   const bool all_mirrors = 10 * dull < dull + mirrors;
@@ -313,7 +342,7 @@ Acne find_acne(const Simulation& sim, const Combination& made, double least) {
       share(lacking_by_chance, controls) > max_by_chance * std::max(lack, lack_on_mirrors)) {
     return {};
   }
-  if (!is_noise(sim, picture, spots)) {
+  if (!is_noise(sim, picture, dark, spots)) {
     return {};
   }
   acne.unexplained = 1 - share(lacking + lacking_on_mirrors, dull + mirrors);

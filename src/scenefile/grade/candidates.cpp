@@ -18,18 +18,6 @@ constexpr double nearly_as_exact = 0.004;  // share of the differing pixels
 constexpr double complete = 0.97;          // share of the differing pixels that are right
 constexpr std::size_t max_shapes_to_edit = 2000;  // with more: no combinations of shape changes
 
-struct Share {
-  std::size_t part = 0;
-  std::size_t all = 0;
-  void add(bool is_part) {
-    part += is_part ? 1 : 0;
-    ++all;
-  }
-  double value() const {
-    return all > 0 ? static_cast<double>(part) / static_cast<double>(all) : 1;
-  }
-};
-
 // Whether the mistake has a number that was estimated from the pictures.
 bool is_fitted(const Simulation& sim, std::size_t mistake) {
   return mistake >= sim.first_fitted && sim.list[mistake].cause != Cause::background;

@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <set>
 
 namespace scenefile {
@@ -46,11 +47,27 @@ std::size_t causes_as_good(const Simulation& sim, const Tried& found,
   return causes.size();
 }
 
+// The picture with the mistakes at points that need not be the simulation's.
+Colors drawn_at(const Simulation& sim, const Combination& mistakes,
+                const std::vector<Point>& points) {
+  const Turn turn = sim.turn_of(mistakes);
+  Colors colors;
+  if (sim.stage_of(mistakes) == Stage::picture) {
+    for (const Point& p : points) {
+      const glm::ivec2 before(sim.middle(p, turn));
+      colors.push_back(at(sim.reference, before.x, before.y));
+    }
+  } else {
+    const Trial trial = sim.trial_of(mistakes);
+    colors = sim.draw(trial, *sim.shapes_of(mistakes, trial), points, points.size(), turn, nullptr);
+  }
+  return sim.finished(mistakes, std::move(colors));
+}
+
 // Whether the mistakes show most of what is not dark in the test, which may be little: then, few of
 // the points are there.
 bool shows_bright_pixels(const Simulation& sim, const Tried& t) {
   constexpr std::size_t max_points = 200;
-  const Turn turn = sim.turn_of(t.mistakes);
   std::vector<std::uint32_t> bright;
   for (std::uint32_t i = 0; 3 * i < sim.test.rgb.size(); ++i) {
     const std::uint8_t* p = &sim.test.rgb[3 * i];
@@ -70,9 +87,7 @@ bool shows_bright_pixels(const Simulation& sim, const Tried& t) {
   std::vector<Point> points;
   add_points(sim.reference, sim.test, std::move(bright), max_points, true, false, random, points,
              sim.noise());
-  const Trial trial = sim.trial_of(t.mistakes);
-  const Colors colors = sim.finished(t.mistakes, sim.draw(trial, *sim.shapes_of(t.mistakes, trial),
-                                                          points, points.size(), turn, nullptr));
+  const Colors colors = drawn_at(sim, t.mistakes, points);
   std::size_t right = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));
@@ -125,19 +140,7 @@ bool explains_blocks(const Simulation& sim, const Tried& t) {
       p.y = corner.y + i / side;
     }
   }
-  const Turn turn = sim.turn_of(t.mistakes);
-  Colors colors;
-  if (sim.stage_of(t.mistakes) == Stage::picture) {
-    for (const Point& p : points) {
-      const glm::ivec2 before(sim.middle(p, turn));
-      colors.push_back(at(sim.reference, before.x, before.y));
-    }
-  } else {
-    const Trial trial = sim.trial_of(t.mistakes);
-    colors =
-        sim.draw(trial, *sim.shapes_of(t.mistakes, trial), points, points.size(), turn, nullptr);
-  }
-  colors = sim.finished(t.mistakes, std::move(colors));
+  const Colors colors = drawn_at(sim, t.mistakes, points);
   double all = 0;
   double left = 0;
   for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -173,18 +176,26 @@ bool shows_much(const Simulation& sim, const Tried& t) {
   return matched >= 0.5 * bright;
 }
 
-// Whether the mistake changes many pixels that are right. Beside pixels with noise, any of their
-// colors counts as equal, so that the score does not show it.
-bool breaks_right_pixels(const Simulation& sim, const Tried& t) {
+// Whether the mistake changes many pixels that are right, or leaves many of an object wrong. Beside
+// pixels with noise, any of their colors counts as equal, so that the score does not show it.
+bool is_doubtful(const Simulation& sim, const Tried& t) {
+  constexpr double much = 0.1;
   const Colors colors = sim.predicted(t.mistakes, sim.points.size());
   double broken = 0;
+  std::map<const ModelPart*, Share> right_on;
   for (std::size_t i = 0; i < sim.points.size(); ++i) {
     const Point& p = sim.points[i];
     const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));
-    broken +=
-        !p.differs && largest_of(glm::abs(c - p.test)) > right_within + p.noise ? p.weight : 0;
+    const bool right = largest_of(glm::abs(c - p.test)) <= right_within + p.noise;
+    broken += p.differs || right ? 0 : p.weight;
+    if (sim.usable && (p.differs || !right)) {
+      right_on[sim.clean({}).hits[i].part].add(right);
+    }
   }
-  return broken > 0.1 * sim.weight_that_differs(sim.points.size());
+  return broken > much * sim.weight_that_differs(sim.points.size()) ||
+         std::any_of(right_on.begin(), right_on.end(), [](const auto& one) {
+           return one.second.all >= 2 * few_pixels && one.second.value() < 1 - much;
+         });
 }
 
 // Whether a rival of that cause fits by chance: a brightness often does, and in a nearly gray
@@ -636,7 +647,7 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
            leaves_only_rounding(sim, t.mistakes);
   });
   const bool single = first != alone.end();
-  const bool doubtful = single && breaks_right_pixels(sim, *first);
+  const bool doubtful = single && is_doubtful(sim, *first);
   if (!single || doubtful || first->exact < nearly_all) {
     const double least = single && !doubtful ? first->exact : 0;
     report.claims = with_camera(sim, find_acne(sim, {}, least)).claims;

@@ -26,6 +26,19 @@ inline constexpr double exact_within = 3;
 inline constexpr double right_within = 8;
 inline constexpr double tolerance = 2;
 
+/// The points that have a property, of `all`.
+struct Share {
+  std::size_t part = 0;
+  std::size_t all = 0;
+  void add(bool is_part) {
+    part += is_part ? 1 : 0;
+    ++all;
+  }
+  double value() const {
+    return all > 0 ? static_cast<double>(part) / static_cast<double>(all) : 1;
+  }
+};
+
 struct Point {
   int x = 0;
   int y = 0;

@@ -16,7 +16,6 @@ namespace scenefile {
 
 namespace {
 
-constexpr std::size_t max_message_bytes = 256'000'000;
 constexpr std::size_t max_header_bytes = 10'000;
 constexpr std::string_view header_end = "\r\n\r\n";
 

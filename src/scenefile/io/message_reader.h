@@ -2,12 +2,16 @@
 // Messages with a header, as language servers receive them: `Content-Length: N`, an empty line, N
 // bytes.
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace scenefile {
+
+/// Of a message without its header.
+inline constexpr std::size_t max_message_bytes = 256'000'000;
 
 enum class MessageEvent : std::uint8_t {
   message,

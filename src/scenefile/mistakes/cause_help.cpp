@@ -73,7 +73,8 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "The direction, the start and the end of the shadow ray, what is compared with the distance "
      "of "
      "the light, and what the loop over the lights does after a shadow."},
-    {Cause::acne, "Shadow acne", "Dark specks or rings on surfaces that should be lit.",
+    {Cause::acne, "Shadow acne",
+     "Dark specks or rings on surfaces that should be lit; flat faces may be dark all over.",
      "Rays that start on a surface hit the same surface again because of rounding errors.",
      "The start of shadow rays and reflected rays: offset it a little from the surface."},
     {Cause::texture, "Textures",

@@ -65,7 +65,10 @@ void add_lights(HypothesisList& list) {
   const auto put = [&](std::initializer_list<Row<L>> rows) {
     list.set_each(Cause::lights, &ModelMistakes::light_vector, rows);
   };
-  list.add(Cause::lights, "no light contributes: only the ambient term is left",
+  const bool shadowed = list.ray_mode() && list.view.options.features.shadows;
+  list.add(Cause::lights,
+           std::string("no light contributes: only the ambient term is left") +
+               (shadowed ? ", as if every shadow ray hit the surface that it starts on" : ""),
            [](Trial& t) { t.scene.lights.clear(); });
   for (const LightType type : list.types) {
     if (list.types.size() > 1) {
@@ -346,6 +349,9 @@ void add_attenuation(HypothesisList& list) {
   if (list.any_type(has_cone)) {
     put({{A::specular_only_with_cone,
           "attenuation and the falloff of spotlights multiply only the specular term, not the sum "
+          "of both terms"},
+         {A::diffuse_only_with_cone,
+          "attenuation and the falloff of spotlights multiply only the diffuse term, not the sum "
           "of both terms"}});
   }
   if (list.any_type(has_cone) && list.any_type(is_plain_point)) {
@@ -475,6 +481,8 @@ void add_shadows(HypothesisList& list) {
     put({{S::ambient_only,
           "where one light is shadowed, all are lost: only the ambient term is left"},
          {S::stops, "lights after the first shadowed one are lost"},
+         {S::resets,
+          "where a light is shadowed, the ambient term and the lights before it are lost, too"},
          {S::first_light_for_all, "the shadow of the first light counts for all"}});
   }
   put({{S::reversed, "shadow rays point away from the light"},
@@ -495,6 +503,9 @@ void add_shadows(HypothesisList& list) {
   if (list.any_type(is_infinitely_far)) {
     put({{S::directional_without, "directional lights cast no shadows"},
          {S::direction_unnormalized_far, "shadows of directional lights are only 1 unit long"}});
+    if (list.any_type(has_cone) && list.any_type(is_plain_point)) {
+      put({{S::directional_only, "only directional lights cast shadows"}});
+    }
   }
   if (list.any_material([](const RenderMaterial& m) { return m.transparent != glm::vec3(0); })) {
     put({{S::glass_lets_through, "transparent objects cast no shadows"}});

@@ -55,6 +55,17 @@ void add_ambient(HypothesisList& list) {
     tinted("the ambient term is multiplied by the color of the first light",
            list.scene.lights.front().color);
   }
+  if (list.any_type(has_position)) {
+    list.set(Cause::ambient, &ModelMistakes::ambient, A::faded,
+             "the ambient term is added for each light, times its attenuation and falloff");
+    list.set(Cause::ambient, &ModelMistakes::ambient, A::faded_colored,
+             "the ambient term is added for each light, times its color, attenuation and falloff");
+  }
+  if (list.ray_mode() && list.view.options.features.shadows && !list.scene.lights.empty()) {
+    list.set(Cause::ambient, &ModelMistakes::ambient, A::faded_shadowed,
+             "the ambient term is treated as the other terms: each light adds it, times its color, "
+             "attenuation and falloff, except in its shadow");
+  }
   list.add(Cause::ambient, "the diffuse color is used as the ambient color", [](Trial& t) {
     for (RenderMaterial& m : t.scene.materials) {
       m.ambient = m.diffuse;

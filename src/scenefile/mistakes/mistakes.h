@@ -110,6 +110,7 @@ enum class AttenuationMistake : std::uint8_t {
   infinite_white,           ///< not clamped: 1 / 0 is infinite, and 0 * infinity is stored as 255
   infinite_black,           ///< ... stored as 0
   specular_only_with_cone,  ///< the diffuse term has no falloff of spotlights, either
+  diffuse_only_with_cone,   ///< the specular term has no falloff of spotlights, either
 };
 
 enum class SpotMistake : std::uint8_t {
@@ -135,6 +136,7 @@ enum class ShadowMistake : std::uint8_t {
   ambient_only,       ///< once in shadow, all later lights are ignored too
   stops,              ///< lights after the first one in shadow are ignored
   black,              ///< in shadow of any light: black, even ambient
+  resets,             ///< ... but later lights are added
   no_ambient_if_all,  ///< in shadow of every light: black
   keeps_specular,     ///< shadows only remove diffuse light
   keeps_diffuse,
@@ -143,6 +145,7 @@ enum class ShadowMistake : std::uint8_t {
   spot_without,
   point_without,
   directional_without,
+  directional_only,     ///< point lights and spotlights cast no shadows
   first_light_for_all,  ///< the first light's shadow applies to all
   glass_lets_through,
   not_own_object,              ///< an object does not shadow itself
@@ -180,7 +183,10 @@ enum class AmbientMistake : std::uint8_t {
   textured,      ///< blended with the texture
   lit_only,
   unlit_only,
-  no_in_reflections
+  no_in_reflections,
+  faded,           ///< added for each light, times its attenuation and falloff
+  faded_colored,   ///< ... and color
+  faded_shadowed,  ///< ... and lost in its shadow
 };
 
 enum class DiffuseMistake : std::uint8_t {

@@ -648,6 +648,7 @@ double faded(const glm::vec3& coefficients, double d, AttenuationMistake mistake
     case AttenuationMistake::diffuse_only:
     case AttenuationMistake::specular_only:
     case AttenuationMistake::specular_only_with_cone:
+    case AttenuationMistake::diffuse_only_with_cone:
       break;
   }
   return limited(right);
@@ -792,6 +793,8 @@ bool Model::arrival(const RenderLight& light, const Surface& s, const dvec2& on_
     arriving.factor = spot;
   } else if (m_.attenuation == AttenuationMistake::specular_only_with_cone) {
     arriving.factor = 1;
+  } else if (m_.attenuation == AttenuationMistake::diffuse_only_with_cone) {
+    arriving.specular_factor = 1;
   }
   arriving.to_light = arriving.toward;
   switch (mistake) {
@@ -890,9 +893,11 @@ bool Model::shadowed(const RenderLight& light, const Surface& s, const Arrival& 
     case ShadowMistake::spot_without:
     case ShadowMistake::point_without:
     case ShadowMistake::directional_without:
+    case ShadowMistake::directional_only:
       if ((m_.shadow == ShadowMistake::spot_without && light.type == LightType::spot) ||
           (m_.shadow == ShadowMistake::point_without && light.type == LightType::point) ||
-          (m_.shadow == ShadowMistake::directional_without && directional)) {
+          (m_.shadow == ShadowMistake::directional_without && directional) ||
+          (m_.shadow == ShadowMistake::directional_only && !directional)) {
         return false;
       }
       break;
@@ -964,6 +969,20 @@ double raised(double x, double n) {
                                                    : std::pow(x, n);
 }
 
+bool loses_more_than_the_light(ShadowMistake m) {
+  switch (m) {
+    case ShadowMistake::ambient_only:
+    case ShadowMistake::stops:
+    case ShadowMistake::black:
+    case ShadowMistake::resets:
+    case ShadowMistake::no_ambient_if_all:
+    case ShadowMistake::first_light_for_all:
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace
 
 dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
@@ -989,6 +1008,16 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
   if (depth > 0 &&
       (m_.ambient == AmbientMistake::no_in_reflections || m_.mirror == MirrorMistake::no_ambient)) {
     ambient = dvec3(0);
+  }
+  dvec3 faded_ambient(0);  // what each light adds
+  switch (m_.ambient) {
+    case AmbientMistake::faded:
+    case AmbientMistake::faded_colored:
+    case AmbientMistake::faded_shadowed:
+      std::swap(ambient, faded_ambient);
+      break;
+    default:
+      break;
   }
   dvec3 eye = to_eye;
   switch (m_.specular) {
@@ -1054,6 +1083,8 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
   bool any_shadow = false;
   bool first = true;
   bool first_shadow = false;
+  // Shadows outside the cone of a spotlight show, too.
+  const bool dark_shadow = loses_more_than_the_light(m_.shadow);
   const auto lit_by = [&](const RenderLight& light, const Arrival& arriving, dvec3& color) {
     const dvec3& n = s.normal;
     const dvec3& l = arriving.to_light;
@@ -1147,7 +1178,7 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
     // What is dark anyway needs no shadow, unless a light that is not shadowed replaces others, or
     // the ambient term depends on it.
     if (color == dvec3(0) && m_.shadow == ShadowMistake::none && m_.light_sum == LightSum::none &&
-        m_.ambient != AmbientMistake::lit_only) {
+        m_.ambient != AmbientMistake::lit_only && m_.ambient != AmbientMistake::faded_shadowed) {
       return true;
     }
     bool dark = shadowed(light, s, arriving, depth);
@@ -1187,7 +1218,7 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
       Arrival arriving;
       const dvec2 on_light((i % side + 0.5) / side, (i / side + 0.5) / side);
       dvec3 color(0);
-      if (arrival(light, s, on_light, arriving)) {
+      if (arrival(light, s, on_light, arriving) || dark_shadow) {
         const bool open = lit_by(light, arriving, color);
         lit = lit || open;
         of_light += color;
@@ -1197,6 +1228,10 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
       }
     }
     of_light /= double(side * side);
+    if (m_.ambient != AmbientMistake::faded_shadowed || lit) {
+      of_light += factor * faded_ambient *
+                  (m_.ambient == AmbientMistake::faded ? dvec3(1) : dvec3(light.color));
+    }
     if (shares != nullptr) {
       shares->push_back(of_light);
       continue;
@@ -1225,6 +1260,9 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
     }
     if (!lit && m_.shadow == ShadowMistake::stops) {
       break;
+    }
+    if (!lit && m_.shadow == ShadowMistake::resets) {
+      sum = dvec3(0);
     }
     if (!lit && m_.shadow == ShadowMistake::black) {
       return dvec3(0);

@@ -316,6 +316,25 @@ TEST_F(Judge, SaysWhenMoreSamplesDoNotHelp) {
   EXPECT_FALSE(verdict.truth_too_noisy);
 }
 
+// Many mistakes explain few blocks. What is done with the file has fewer alternatives.
+TEST_F(Judge, NamesNoMistakeInLightByFewBlocks) {
+  options.width = 48;
+  options.height = 24;
+  PathTruth small;
+  ASSERT_EQ(draw_truth(traced, room.scene, options, 0, 256, {}, small), RenderStatus::complete);
+  options.samples = 256;
+  options.seed = 5;
+  DecodedPicture picture = drawn();
+  for (float& value : picture.linear.rgb) {
+    value = std::pow(value, 1 / 2.2f);
+  }
+  EXPECT_EQ(names(judge_path(small, picture).causes), "gamma ");
+  options.max_depth = 1;
+  const PathVerdict direct = judge_path(small, drawn());
+  EXPECT_FALSE(direct.right);
+  EXPECT_EQ(names(direct.causes), "");
+}
+
 TEST_F(Judge, ReadsToneMappedPictures) {
   const PathVerdict verdict = judge_path(truth, shown(drawn()));
   EXPECT_TRUE(verdict.right);

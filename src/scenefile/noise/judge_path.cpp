@@ -22,6 +22,9 @@ namespace {
 // The standard error of a block, relative to its light, beyond which the noise cannot be measured.
 constexpr double too_much_noise = 0.25;
 
+// Fewer do not tell many mistakes apart: of a picture of 18 blocks, a wrong one was named.
+constexpr std::size_t fewest_blocks = 32;
+
 // More mistakes that give the same picture are no help.
 constexpr std::size_t most_named = 3;
 
@@ -387,7 +390,8 @@ struct Explanation {
 };
 
 void explain(const TruthBlocks& back, const Reading& reading, PathVerdict& verdict) {
-  if (reading.seen.relative_noise > too_much_noise || !reading.differs()) {
+  if (reading.seen.relative_noise > too_much_noise || back.truth.blocks() < fewest_blocks ||
+      !reading.differs()) {
     return;
   }
   const Explanation explanation{back, reading, verdict};

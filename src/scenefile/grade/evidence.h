@@ -26,7 +26,7 @@ inline constexpr double exact_within = 3;
 inline constexpr double right_within = 8;
 inline constexpr double tolerance = 2;
 
-/// The points that have a property, of `all`.
+/// How many of some points have a property. The share of no points is 1.
 struct Share {
   std::size_t part = 0;
   std::size_t all = 0;

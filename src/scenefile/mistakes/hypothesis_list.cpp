@@ -26,6 +26,10 @@ bool HypothesisList::glass() const {
          any_material([](const RenderMaterial& m) { return m.transparent != glm::vec3(0); });
 }
 
+bool HypothesisList::shadows() const {
+  return ray_mode() && view.options.features.shadows && !scene.lights.empty();
+}
+
 bool HypothesisList::textured() const {
   return ray_mode() && view.options.features.texture &&
          any_material([](const RenderMaterial& m) { return m.texture.used() && m.blend != 0; });

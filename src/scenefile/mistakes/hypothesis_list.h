@@ -32,6 +32,8 @@ struct HypothesisList {
   /// Whether the reference shows reflections or refraction.
   bool mirrors() const;
   bool glass() const;
+  /// Whether the reference shows shadows.
+  bool shadows() const;
   /// Whether the reference shows textures.
   bool textured() const;
   bool any_type(bool (*is)(LightType)) const;

@@ -65,10 +65,9 @@ void add_lights(HypothesisList& list) {
   const auto put = [&](std::initializer_list<Row<L>> rows) {
     list.set_each(Cause::lights, &ModelMistakes::light_vector, rows);
   };
-  const bool shadowed = list.ray_mode() && list.view.options.features.shadows;
   list.add(Cause::lights,
            std::string("no light contributes: only the ambient term is left") +
-               (shadowed ? ", as if every shadow ray hit the surface that it starts on" : ""),
+               (list.shadows() ? ", as if every shadow ray hit the surface that it starts on" : ""),
            [](Trial& t) { t.scene.lights.clear(); });
   for (const LightType type : list.types) {
     if (list.types.size() > 1) {
@@ -164,8 +163,7 @@ void add_lights(HypothesisList& list) {
     const auto sum = [&](LightSum value, const std::string& what) {
       list.set(Cause::lights, &ModelMistakes::light_sum, value, what);
     };
-    const std::string lit =
-        list.ray_mode() && list.view.options.features.shadows ? ", where it is not shadowed" : "";
+    const std::string lit = list.shadows() ? ", where it is not shadowed" : "";
     sum(LightSum::brightest,
         "only the brightest light counts: the maximum of the lights, not their sum");
     sum(LightSum::last, "each light replaces those before it" + lit);
@@ -447,7 +445,7 @@ void add_spots(HypothesisList& list) {
 }
 
 void add_shadows(HypothesisList& list) {
-  if (!list.ray_mode() || !list.view.options.features.shadows || list.scene.lights.empty()) {
+  if (!list.shadows()) {
     return;
   }
   list.add(Cause::shadows, "there are no shadows",

@@ -61,7 +61,7 @@ void add_ambient(HypothesisList& list) {
     list.set(Cause::ambient, &ModelMistakes::ambient, A::faded_colored,
              "the ambient term is added for each light, times its color, attenuation and falloff");
   }
-  if (list.ray_mode() && list.view.options.features.shadows && !list.scene.lights.empty()) {
+  if (list.shadows()) {
     list.set(Cause::ambient, &ModelMistakes::ambient, A::faded_shadowed,
              "the ambient term is treated as the other terms: each light adds it, times its color, "
              "attenuation and falloff, except in its shadow");

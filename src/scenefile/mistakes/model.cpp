@@ -969,6 +969,7 @@ double raised(double x, double n) {
                                                    : std::pow(x, n);
 }
 
+// Whether a shadow takes more than the light that casts it.
 bool loses_more_than_the_light(ShadowMistake m) {
   switch (m) {
     case ShadowMistake::ambient_only:
@@ -1083,8 +1084,7 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
   bool any_shadow = false;
   bool first = true;
   bool first_shadow = false;
-  // Shadows outside the cone of a spotlight show, too.
-  const bool dark_shadow = loses_more_than_the_light(m_.shadow);
+  const bool loses_more = loses_more_than_the_light(m_.shadow);
   const auto lit_by = [&](const RenderLight& light, const Arrival& arriving, dvec3& color) {
     const dvec3& n = s.normal;
     const dvec3& l = arriving.to_light;
@@ -1218,7 +1218,9 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
       Arrival arriving;
       const dvec2 on_light((i % side + 0.5) / side, (i / side + 0.5) / side);
       dvec3 color(0);
-      if (arrival(light, s, on_light, arriving) || dark_shadow) {
+      const bool arrives = arrival(light, s, on_light, arriving);
+      // Outside the cone of a spotlight, a shadow may take what other lights have added.
+      if (arrives || (loses_more && arriving.factor == 0)) {
         const bool open = lit_by(light, arriving, color);
         lit = lit || open;
         of_light += color;

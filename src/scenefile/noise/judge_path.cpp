@@ -22,8 +22,10 @@ namespace {
 // The standard error of a block, relative to its light, beyond which the noise cannot be measured.
 constexpr double too_much_noise = 0.25;
 
-// Fewer do not tell many mistakes apart: of a picture of 18 blocks, a wrong one was named.
+// Of the whole picture. Fewer blocks do not tell many mistakes apart: in a picture of 30, a wrong
+// one was named. Other rows, channels, views or curves have fewer rivals.
 constexpr std::size_t fewest_blocks = 32;
+constexpr std::size_t fewest_blocks_for_file = 17;
 
 // More mistakes that give the same picture are no help.
 constexpr std::size_t most_named = 3;
@@ -463,7 +465,7 @@ DecodedPicture rearranged(const DecodedPicture& mine, const PathTruth& t, int ho
 bool explains(const TruthBlocks& back, const Reading& before, const Reading& other) {
   return 2 * other.seen.tested > before.seen.tested && other.right.chi2 < 3 * other.values() &&
          other.right.chi2 / other.values() < 0.05 * before.right.chi2 / before.values() &&
-         back.truth.blocks() > 16;
+         back.truth.blocks() >= fewest_blocks_for_file;
 }
 
 // Whether another view does. Other angles move edges by few pixels, which may leave most blocks as
@@ -474,7 +476,7 @@ bool view_explains(const TruthBlocks& back, const Reading& before, const Reading
   const double was = before.right.chi2 / before.values();
   return explains(back, before, other) ||
          (2 * other.seen.tested > before.seen.tested && was > far_above &&
-          is - 1 < 0.05 * (was - 1) && is < 3 && back.truth.blocks() > 16);
+          is - 1 < 0.05 * (was - 1) && is < 3 && back.truth.blocks() >= fewest_blocks_for_file);
 }
 
 std::string view_words(const PathTruth& t, const ViewScale& view) {

@@ -1,3 +1,4 @@
+#include "scenefile/base/shape_traits.h"
 #include "scenefile/mistakes/hypothesis_list.h"
 
 #include <fmt/format.h>

@@ -15,7 +15,7 @@ Assets load_files(const std::string& path, const RenderScene& scene, Diagnostics
   AssetRoots roots({.scene_path = path, .asset_roots = {}});
   const FetchFile fetch = [&](const std::string& name) { return roots.read(name); };
   return load_assets(scene.texture_files, scene.mesh_files, fetch,
-                     {.materials = materials || scene.lights.empty()}, diagnostics);
+                     {.materials = materials || scene.lights.empty(), .limits = {}}, diagnostics);
 }
 
 LoadedScene load_scene(const std::string& path, bool compat_course) {

@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -141,6 +144,50 @@ TEST(ComparePictures, NamesMistakesInJpegs) {
     ASSERT_EQ(specular.claims.size(), 1u) << quality;
     EXPECT_EQ(specular.claims.front().cause, Cause::specular);
     EXPECT_TRUE(causes(still_life("0.5", "0.5"), quality).claims.empty()) << quality;
+  }
+}
+
+// Where many pixels show no light, the contrast is high, so that no single pixel is evidence.
+TEST(ComparePictures, NamesAcneInJpegs) {
+  std::string unlit_text = still_life("0.5", "0.5");
+  const std::size_t lights = unlit_text.find("<lightdata>");
+  unlit_text.erase(lights, unlit_text.find("<object") - lights);
+  const LoadedScene scene = load_scene("right.xml", still_life("0.5", "0.5"), {});
+  RenderOptions options = default_options(Profile::course);
+  options.width = 320;
+  options.height = 240;
+  const auto drawn = [&](const LoadedScene& one) {
+    return quantize(render(one.ready.scene, one.assets, options).image,
+                    rounding_of(options.profile));
+  };
+  const Texture lit = drawn(scene);
+  const Texture unlit = drawn(load_scene("unlit.xml", unlit_text, {}));
+  CompareSettings settings;
+  settings.ways = possible_ways(std::array{options}, false);
+  settings.lossy = true;
+  // `shown`: of the light, by pixel.
+  const auto causes = [&](const std::function<double()>& shown, int quality) {
+    Texture mine = lit;
+    for (std::size_t i = 0; i < mine.rgb.size(); i += 3) {
+      const double here = shown();
+      for (std::size_t c = i; c < i + 3; ++c) {
+        mine.rgb[c] =
+            static_cast<std::uint8_t>(std::lround(std::lerp(unlit.rgb[c], lit.rgb[c], here)));
+      }
+    }
+    const Result<DecodedPicture> jpeg = decode_picture(testing_support::jpeg_of(mine, quality));
+    return compare_pictures(lit, jpeg->texture, &scene, settings).causes;
+  };
+  std::mt19937 random(3);
+  for (const int quality : {90, 75}) {
+    for (const unsigned share : {4u, 2u}) {
+      const CauseReport acne = causes([&] { return random() % share == 0 ? 0.0 : 1.0; }, quality);
+      ASSERT_EQ(acne.claims.size(), 1u) << quality << " " << share;
+      EXPECT_EQ(acne.claims.front().cause, Cause::acne);
+    }
+    for (const Claim& claim : causes([] { return 0.5; }, quality).claims) {
+      EXPECT_NE(claim.cause, Cause::acne) << quality;
+    }
   }
 }
 

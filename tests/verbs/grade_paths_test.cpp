@@ -213,8 +213,10 @@ TEST_F(GradePaths, JudgesPicturesWithinTheirNoise) {
 
 TEST_F(GradePaths, AMissingSceneIsAMissingFile) {
   write("class/ada/full.pfm", "");
-  const GradeRequest request{
-      .handed_in = path("class"), .references = path("inis"), .scenes = "", .path = options()};
+  GradeRequest request;
+  request.handed_in = path("class");
+  request.references = path("inis");
+  request.path = options();
   const Result<Gradebook> book =
       grade_class(request, [&](const std::string&) { return load_scene_file(path("none.xml")); });
   ASSERT_FALSE(book);

@@ -3,6 +3,8 @@
 
 #include "scenefile/grade/candidates.h"
 
+#include <optional>
+
 namespace scenefile {
 
 struct Acne {
@@ -13,6 +15,9 @@ struct Acne {
 /// Looks for acne in a picture that also has the mistakes `made`. `least`: the minimum share of the
 /// examined pixels that acne must explain.
 Acne find_acne(const Simulation& sim, const Combination& made, double least);
+/// The claim of shadow acne in a picture whose colors are inexact where there is contrast, as in a
+/// JPEG.
+std::optional<Claim> claim_of_inexact_acne(const Simulation& sim);
 /// Looks for a camera or a sampling of pixels, beside acne, that explains most of the pixels that
 /// `acne` alone leaves unexplained. Returns `acne` if there is none.
 Acne with_camera(const Simulation& sim, Acne acne);

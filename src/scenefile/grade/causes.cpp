@@ -96,13 +96,18 @@ bool shows_bright_pixels(const Simulation& sim, const Tried& t) {
   return 2 * right >= points.size();
 }
 
+// Whether pixels with contrast near them are no evidence.
+bool leaves_out_contrast(const Simulation& sim) {
+  return std::any_of(sim.noise().begin(), sim.noise().end(), [](float n) { return std::isinf(n); });
+}
+
 // Whether the mistakes also explain the pixels that are not evidence one by one, because
 // compression changed them: it hardly changes the means of its blocks, of at most 16x16 pixels.
 bool explains_blocks(const Simulation& sim, const Tried& t) {
   constexpr int side = 16;
   constexpr std::size_t max_blocks = 24;
   constexpr double min_share = 0.7;  // less than `enough`: the means are inexact, too
-  if (std::none_of(sim.noise().begin(), sim.noise().end(), [](float n) { return std::isinf(n); })) {
+  if (!leaves_out_contrast(sim)) {
     return true;
   }
   const auto mean_of = [&](const auto& color, const glm::ivec2& corner) {
@@ -333,9 +338,9 @@ void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& 
     if (found.mistakes.size() == 1) {
       one.evidence = evidence_of_one(found.score.left / values, b.left / values, found.exact);
     } else {
-      Combination others = found.mistakes;
-      std::erase(others, i);
-      const Tried without = sim.rated(others, sim.score_of(others, sim.points.size()), b);
+      Combination rest = found.mistakes;
+      std::erase(rest, i);
+      const Tried without = sim.rated(rest, sim.score_of(rest, sim.points.size()), b);
       one.evidence = evidence_of_several(found.explained, without.explained);
     }
     report.claims.push_back(std::move(one));
@@ -772,6 +777,17 @@ double exact_share(const Simulation& sim, const PlacedCopy& copy) {
          std::max(1.0, sim.weight_that_differs(sim.points.size()));
 }
 
+// The pixels that differ, also where the contrast is high if they differ by more than compression
+// changes them.
+std::vector<std::uint32_t> different_by_much(const Simulation& sim) {
+  constexpr float much = 32;
+  std::vector<float> noise = sim.noise();
+  for (float& n : noise) {
+    n = std::min(n, much);
+  }
+  return sorted_pixels(sim.reference, sim.test, noise).different;
+}
+
 CauseReport look_for_causes(Simulation& sim, LookFor asked) {
   // Compression and scaling lose details that could show that an edit is wrong.
   const bool edited = asked == LookFor::several_at_once && sim.view != nullptr && !sim.has_noise();
@@ -782,10 +798,20 @@ CauseReport look_for_causes(Simulation& sim, LookFor asked) {
   report.share_different = static_cast<double>(pixels.different.size()) / all;
   report.only_details = only_details(pixels, sim.test);
   report.share_scene_unlike = sim.look_at_scene();
+  if (leaves_out_contrast(sim)) {
+    // Acne has much contrast, so the pixels that are evidence do not show it.
+    if (std::optional<Claim> acne = claim_of_inexact_acne(sim)) {
+      report.only_details = false;
+      report.claims.push_back(*std::move(acne));
+      sim.route = "acne";
+      return report;
+    }
+  }
   if (pixels.off.size() < few_pixels && pixels.different.size() < few_pixels) {
     return report;
   }
-  std::optional<Claim> undrawn = claim_of_undrawn_part(sim.reference, sim.test, pixels.different);
+  std::optional<Claim> undrawn =
+      claim_of_undrawn_part(sim.reference, sim.test, different_by_much(sim));
   if (undrawn) {
     // A color other than black may be an object that fills the view, and small things may be shown.
     const bool black = std::all_of(sim.test.rgb.begin(), sim.test.rgb.end(),

@@ -476,9 +476,9 @@ class Search {
       if (found.mistakes.size() == 1) {
         one.evidence = evidence_of_one(found.score.left / values, before / values, found.exact);
       } else {
-        Combination others = found.mistakes;
-        std::erase(others, i);
-        const std::vector<Tried> without = try_all({others}, points_.size(), 1, 1);
+        Combination rest = found.mistakes;
+        std::erase(rest, i);
+        const std::vector<Tried> without = try_all({rest}, points_.size(), 1, 1);
         one.evidence =
             evidence_of_several(found.explained, without.empty() ? 0 : without.front().explained);
       }

@@ -57,7 +57,7 @@ struct PixelTest : ::testing::Test {
   void settle() { testing::settle(session, time); }
   void click(double x, double y, bool alt = true) {
     pointer_moved(session, {x, y});
-    pointer_pressed(session, 0, {.alt = alt});
+    pointer_pressed(session, 0, {.name = {}, .alt = alt});
     pointer_released(session);
   }
   std::string copied() {

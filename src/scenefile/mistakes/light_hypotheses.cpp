@@ -366,8 +366,8 @@ void add_spots(HypothesisList& list) {
   const auto put = [&](std::initializer_list<Row<S>> rows) {
     list.set_each(Cause::spot_falloff, &ModelMistakes::spot, rows);
   };
-  const auto spot = [&](std::string what, void (*change)(RenderLight&)) {
-    change_lights(list, Cause::spot_falloff, std::move(what), [change](RenderLight& l) {
+  const auto spot = [&](const char* what, void (*change)(RenderLight&)) {
+    change_lights(list, Cause::spot_falloff, what, [change](RenderLight& l) {
       if (has_cone(l.type)) {
         change(l);
       }

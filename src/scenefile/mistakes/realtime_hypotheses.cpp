@@ -595,7 +595,7 @@ class Maker {
       }
     }
     if (!more.empty()) {
-      add(Cause::lights, std::move(what), RealtimeStage::shading, [more](RealtimeTrial& t) {
+      add(Cause::lights, what, RealtimeStage::shading, [more](RealtimeTrial& t) {
         t.scene.scene.lights.insert(t.scene.scene.lights.end(), more.begin(), more.end());
       });
     }

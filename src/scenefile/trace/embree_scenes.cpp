@@ -310,7 +310,7 @@ RayScenes::~RayScenes() {
 }
 
 std::string embree_version() {
-  const RTCDevice device = rtcNewDevice(nullptr);
+  RTCDevice device = rtcNewDevice(nullptr);
   if (device == nullptr) {
     return {};
   }

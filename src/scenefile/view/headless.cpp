@@ -120,7 +120,7 @@ Result<std::unique_ptr<HeadlessContext>> HeadlessContext::create() {
     return Error{
         "there is no EGL (libEGL.so.1) to draw with; install Mesa (libegl1, libgl1-mesa-dri)"};
   }
-  const EGLDisplay display = open_display(egl);
+  EGLDisplay display = open_display(egl);
   if (display == EGL_NO_DISPLAY || egl.Initialize(display, nullptr, nullptr) != EGL_TRUE) {
     return Error{"there is no EGL display to draw with; install Mesa (libegl1, libgl1-mesa-dri)"};
   }

@@ -113,11 +113,11 @@ bool Canvas::settled(const Session& session) const {
 }
 
 bool Canvas::take(Session& session) {
-  std::optional<Painted> painted = painter_->take();
-  if (painted) {
+  if (std::optional<Painted> painted = painter_->take()) {
     accept(session, *std::move(painted));
+    return true;
   }
-  return painted.has_value();
+  return false;
 }
 
 void Canvas::accept(Session& session, Painted painted) {

@@ -535,7 +535,7 @@ void before_losing_edits(Session& session, std::function<void(Session&)> then) {
                                {"Cancel", {}}}};
 }
 
-void ask_about_changed_file(Session& session, std::string text) {
+void ask_about_changed_file(Session& session, const std::string& text) {
   const auto read = [text](Session& s, const std::string&) { replace_edits(s, text); };
   const auto keep = [text](Session& s, const std::string&) { note_saved(s.editing, text); };
   const auto later = [](Session&, const std::string&) {};

@@ -149,7 +149,7 @@ void ask_where_to_save(Session& session, const std::string& path, const std::str
 void before_losing_edits(Session& session, std::function<void(Session&)> then);
 /// The file was read again, with other contents than were last read or written, while there are
 /// unsaved edits: asks which to keep.
-void ask_about_changed_file(Session& session, std::string text);
+void ask_about_changed_file(Session& session, const std::string& text);
 
 /// Gives an answer, by its index, and closes the question.
 void answer_question(Session& session, std::size_t answer);

@@ -58,7 +58,7 @@ bool is_software(GetProcAddress find) {
 
 }  // namespace
 
-PaintContext own_threads(PaintContext otherwise) {
+PaintContext own_threads(const PaintContext& otherwise) {
   const auto headless = std::make_shared<std::unique_ptr<HeadlessContext>>();
   const auto begin = [otherwise, headless]() -> Result<GetProcAddress> {
     const Result<GetProcAddress> find = otherwise.begin();

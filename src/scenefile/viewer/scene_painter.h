@@ -25,7 +25,7 @@ struct PaintContext {
 /// A context without a window, for Mesa's software renderer: it shares its threads among the
 /// contexts of a display, so that panels would wait for the scene. `otherwise` is used if there is
 /// none, or if `otherwise` is a graphics card's.
-PaintContext own_threads(PaintContext otherwise);
+PaintContext own_threads(const PaintContext& otherwise);
 
 /// Everything that a picture depends on.
 struct PaintRecipe {

@@ -331,8 +331,9 @@ TEST(XmlLimits, ALongTagIsRejectedBeforeItsEnd) {
     many += fmt::format(" a{}=\"\"", i);
   }
   EXPECT_THAT(found(many, limits), ElementsAre("1:12 error xml.attribute-limit"));
-  EXPECT_THAT(found("<scenefile><!-- " + std::string(40'000'000, 'x'), limits),
-              ElementsAre("1:12 error xml.length-limit"));
+  std::string comment = "<scenefile><!-- ";
+  comment.append(40'000'000, 'x');
+  EXPECT_THAT(found(comment, limits), ElementsAre("1:12 error xml.length-limit"));
 }
 
 TEST(XmlLimits, LongButAllowed) {

@@ -213,12 +213,12 @@ bool is_noise(const Simulation& sim, const Expected& picture, const Model& unlit
 // How much of the light a pixel shows, in a picture with inexact colors: 0 without lights, 1 with
 // all. Nullopt where lights change it too little to tell.
 std::optional<double> light_shown(const Simulation& sim, const Expected& picture,
-                                  const Model& unlit, const glm::ivec2& p) {
+                                  const Model& unlit, const glm::ivec2& p, const ModelHit& hit) {
   constexpr dvec3 luma(0.299, 0.587, 0.114);  // which compression changes the least
-  constexpr double enough_light = 32;
+  constexpr double enough_light = 32;  // of 255: beside less, errors of compression are large
   const ModelRay ray = picture.ray(p.x, p.y);
-  const double without = glm::dot(luma, picture.shown(unlit.color(ray)));
-  const double all = glm::dot(luma, picture.shown(picture.model().color(ray)));
+  const double without = glm::dot(luma, picture.shown(unlit.color(ray, &hit)));
+  const double all = glm::dot(luma, picture.shown(picture.model().color(ray, &hit)));
   if (all - without < enough_light) {
     return std::nullopt;
   }
@@ -232,9 +232,9 @@ void look_around_inexactly(const Simulation& sim, const Expected& picture, const
                            const glm::ivec2& middle, Alternation& a) {
   constexpr int side = 2 * window + 1;
   constexpr double count = side * side;
-  constexpr double inexact = 0.25;
-  constexpr double enough_inside = 0.8;
-  constexpr double all_dark = 0.1;
+  constexpr double inexact = 0.25;       // by how much light_shown() may be below 0 or above 1
+  constexpr double enough_inside = 0.8;  // of the pixels: beside edges, compression errs by more
+  constexpr double all_dark = 0.1;       // of the light
   constexpr double few = 3 / count;
   // Of the variance of pixels that show either no light or all of it. Measured in JPEGs with acne:
   // 0.53 to 0.99 in nine of ten windows.
@@ -255,8 +255,11 @@ void look_around_inexactly(const Simulation& sim, const Expected& picture, const
     for (int u = 0; u < side; ++u) {
       const glm::ivec2 p = middle + glm::ivec2(u - window, v - window);
       const ModelHit hit = picture.model().first_hit(picture.ray(p.x, p.y));
-      const std::optional<double> light = light_shown(sim, picture, unlit, p);
-      if (hit.part != center.part || hit.face != center.face || !light) {
+      if (hit.part != center.part || hit.face != center.face) {
+        return;
+      }
+      const std::optional<double> light = light_shown(sim, picture, unlit, p, hit);
+      if (!light) {
         return;
       }
       shown[v][u] = std::clamp(*light, 0.0, 1.0);
@@ -467,11 +470,12 @@ std::optional<Claim> claim_of_inexact_acne(const Simulation& sim) {
       }
     }
   }
+  // As in add_points(): std::shuffle() differs between libraries.
   std::mt19937 random(11);
-  std::shuffle(wrong.begin(), wrong.end(), random);
   Alternation acne;
   for (std::size_t i = 0; i < std::min(max_tries, wrong.size()) && acne.telling < max_windows;
        ++i) {
+    std::swap(wrong[i], wrong[i + random() % (wrong.size() - i)]);
     look_around_inexactly(sim, picture, dark, wrong[i], acne);
   }
   const double mixed = share(acne.mixed, acne.telling);

@@ -203,7 +203,9 @@ TEST(Document, EveryValueOfTheVocabularyIsAField) {
 TEST(Document, TypedValues) {
   FieldView field;
   field.title = "Height angle";
-  field.parts = {{"heightangle", true, {0, 180, true, true}}};
+  FieldPart& angle = field.parts.emplace_back();
+  angle.name = "heightangle";
+  angle.range = {0, 180, true, true};
   EXPECT_EQ(*parse_value(field, 0, " 0.50 "), "0.50");
   EXPECT_EQ(*parse_value(field, 0, ".5"), "0.5") << "JSON has no .5";
   EXPECT_EQ(*parse_value(field, 0, "+45."), "45");

@@ -27,7 +27,7 @@ struct EditableFile {
   Document document;
 };
 
-void add_text(std::vector<EditableFile>& files, const std::string& name, std::string text) {
+void add_text(std::vector<EditableFile>& files, const std::string& name, const std::string& text) {
   for (const bool compat : {false, true}) {
     ReadOptions options;
     options.compat_course = compat;

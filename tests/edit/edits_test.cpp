@@ -30,7 +30,7 @@ ItemId nth(const Document& document, ItemKind kind, int n = 0) {
   return 0;
 }
 
-Make setting(ItemKind kind, std::string name, std::size_t part, std::string value) {
+Make setting(ItemKind kind, const std::string& name, std::size_t part, const std::string& value) {
   return [=](const Document& document) {
     const ItemId item = nth(document, kind);
     for (const FieldView& field : document.fields(item)) {

@@ -100,10 +100,11 @@ std::string part(const Scene& scene, Location place, std::string_view what,
 }
 
 // One line for a node with its transforms and objects, then one for each of its lights and nodes.
-void add_node(std::string& lines, const Scene& scene, NodeId id, std::string node_word,
+void add_node(std::string& lines, const Scene& scene, NodeId id, std::string_view node_word,
               std::size_t depth) {
   const Node& node = scene.nodes[id];
-  lines += std::string(2 * depth, ' ') + text_of(node.location) + " " + node_word;
+  lines += std::string(2 * depth, ' ') + text_of(node.location) + " ";
+  lines += node_word;
   if (!node.name.empty()) {
     lines += " " + text_of(node.name.str());
   }

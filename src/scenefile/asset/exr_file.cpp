@@ -136,8 +136,11 @@ std::string made_compressible(std::string_view raw) {
 
 // Data that would not become shorter is stored uncompressed; readers recognize that by its length.
 std::string packed_block(std::string raw) {
-  const std::string packed = deflated(made_compressible(raw), deflate_level);
-  return packed.size() < raw.size() ? packed : raw;
+  std::string packed = deflated(made_compressible(raw), deflate_level);
+  if (packed.size() < raw.size()) {
+    return packed;
+  }
+  return raw;
 }
 
 std::string block_of(int width, int y, int end, const std::vector<Channel>& channels,
@@ -172,7 +175,7 @@ Result<void> stream_blocks(int width, int height, std::span<const ImageLayer> la
     }
   }
   const std::string header = header_of(width, height, channels, note);
-  const std::size_t blocks = static_cast<std::size_t>((height - 1) / exr_block_rows + 1);
+  const std::size_t blocks = static_cast<std::size_t>(height - 1) / exr_block_rows + 1;
   // The offsets of the blocks are only known when all are written.
   std::string offsets(8 * blocks, '\0');
   if (!sink.append(header) || !sink.append(offsets)) {

@@ -159,17 +159,18 @@ class ItemFinder {
       made_room_.erase(moved);
     }
     const std::string& master = scene_.nodes[placed].instance_of;
+    const bool tree = read && read->type == ObjectType::tree;
+    const bool instance =
+        (!master.empty() && name == master) ||
+        (read && read->type == ObjectType::master && !name.empty() && name != "root");
     ItemKind kind = ItemKind::unread;
     std::string shown = name;
     if (const auto primitive = primitives_.find(object); primitive != primitives_.end()) {
       kind = ItemKind::primitive;
       shown = word_of(primitive->second->shape);
-    } else if (read && read->type == ObjectType::tree && has_contents(object)) {
-      kind = ItemKind::group;
-    } else if ((!master.empty() && name == master) ||
-               (read && read->type == ObjectType::master && !name.empty() && name != "root")) {
+    } else if (instance && !(tree && has_contents(object))) {
       kind = ItemKind::instance;
-    } else if (read && read->type == ObjectType::tree) {
+    } else if (tree) {
       kind = ItemKind::group;
     }
     const ItemId id = add(kind, shown, object, block, parent);

@@ -1083,11 +1083,11 @@ CauseReport find_causes(const Texture& reference, const Texture& test, const Sce
     likelier = in_likelier_order(reference, test);
   }
   Simulation sim{reference, test, view, go_on};
-  CauseReport report =
-      beside
-          ? *std::move(beside)
-          : look_for_causes(sim, likelier && likelier->sure ? LookFor::single_mistakes : look_for);
-  if (!beside) {
+  CauseReport report;
+  if (beside) {
+    report = *std::move(beside);
+  } else {
+    report = look_for_causes(sim, likelier && likelier->sure ? LookFor::single_mistakes : look_for);
     report.route = sim.route;
     report.rays = sim.rays;
   }

@@ -1273,9 +1273,8 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
   if (m_.shadow == ShadowMistake::no_ambient_if_all && any_shadow && !any_lit) {
     return dvec3(0);
   }
-  if (m_.ambient == AmbientMistake::lit_only && !any_lit) {
-    sum -= ambient;
-  } else if (m_.ambient == AmbientMistake::unlit_only && sum != ambient) {
+  if ((m_.ambient == AmbientMistake::lit_only && !any_lit) ||
+      (m_.ambient == AmbientMistake::unlit_only && sum != ambient)) {
     sum -= ambient;
   }
   const bool over_lighting = m_.texture == TextureMistake::over_lighting ||

@@ -1,5 +1,6 @@
 #include "scenefile/edit/syntax.h"
 
+#include "scenefile/base/text.h"
 #include "scenefile/format/json_syntax.h"
 #include "scenefile/format/scene_text.h"
 #include "scenefile/format/text_places.h"
@@ -211,7 +212,6 @@ std::size_t Syntax::index(PartId id) const {
 }
 
 Result<Syntax> parse_syntax(std::string_view bytes, const ReadOptions& options) {
-  constexpr std::string_view mark = "\xEF\xBB\xBF";
   if (bytes.size() > std::numeric_limits<std::uint32_t>::max() / 2) {
     return Error{"the file is larger than 2 GiB, too large to edit", ErrorKind::limit};
   }
@@ -227,7 +227,7 @@ Result<Syntax> parse_syntax(std::string_view bytes, const ReadOptions& options) 
   Syntax syntax;
   syntax.text = bytes;
   syntax.xml = file->syntax == SceneFormat::xml;
-  syntax.start = static_cast<std::uint32_t>(bytes.starts_with(mark) ? mark.size() : 0);
+  syntax.start = static_cast<std::uint32_t>(bytes.size() - without_byte_order_mark(bytes).size());
   const std::optional<Error> error =
       syntax.xml ? parse_xml(syntax, file->text, options) : parse_json_file(syntax, options);
   return error ? Result<Syntax>(*error) : Result<Syntax>(std::move(syntax));

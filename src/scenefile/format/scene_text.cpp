@@ -330,8 +330,8 @@ std::optional<std::string_view> decode_text(std::string_view bytes, std::string&
     report_encoding(diagnostics, "the file is UTF-32; save it as UTF-8");
     return std::nullopt;
   }
-  if (bytes.starts_with("\xEF\xBB\xBF"sv)) {
-    return bytes.substr(3);
+  if (const std::string_view text = without_byte_order_mark(bytes); text.size() < bytes.size()) {
+    return text;
   }
   if (bytes.starts_with("\xFF\xFE"sv) || bytes.starts_with("\xFE\xFF"sv)) {
     return decode_utf16(bytes.substr(2), bytes[0] == '\xFF', storage, diagnostics);

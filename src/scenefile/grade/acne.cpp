@@ -44,7 +44,16 @@ constexpr std::string_view shadow_acne =
     "surfaces shadow themselves in spots (shadow acne): offset the start of shadow rays from the "
     "surface";
 
-// The picture of a program with the mistakes `made`.
+bool may_show_acne(const Simulation& sim) {
+  return sim.usable && sim.view->options.features.shadows && sim.view->options.mode == Mode::ray;
+}
+
+RenderScene without_lights(RenderScene scene) {
+  scene.lights.clear();
+  return scene;
+}
+
+// The picture of a program with the mistakes `made`, with and without lights.
 class Expected {
  public:
   Expected(const Simulation& sim, const Combination& made)
@@ -53,14 +62,18 @@ class Expected {
         turn_(sim.turn_of(made)),
         trial_(sim.trial_of(made)),
         shapes_(sim.shapes_of(made, trial_)),
-        model_(trial_.scene, *shapes_, *sim.view->assets, trial_.options, trial_.mistakes) {
+        model_(trial_.scene, *shapes_, *sim.view->assets, trial_.options, trial_.mistakes),
+        unlit_scene_(without_lights(trial_.scene)),
+        unlit_(unlit_scene_, *shapes_, *sim.view->assets, trial_.options, trial_.mistakes) {
     for (const std::uint16_t i : made) {
       on_picture_ = on_picture_ || sim.list[i].color;
     }
   }
   const Model& model() const { return model_; }
-  const Trial& trial() const { return trial_; }
-  const ModelShapes& shapes() const { return *shapes_; }
+  const Model& unlit() const { return unlit_; }
+  const RenderMaterial& material(const ModelHit& hit) const {
+    return trial_.scene.materials[hit.part->material];
+  }
   ModelRay ray(int x, int y) const {
     const Point pixel{x, y};
     return sim_.ray(model_, sim_.middle(pixel, turn_) + trial_.shift);
@@ -84,6 +97,8 @@ class Expected {
   Trial trial_;
   std::shared_ptr<const ModelShapes> shapes_;
   Model model_;
+  RenderScene unlit_scene_;
+  Model unlit_;
   bool on_picture_ = false;
 };
 
@@ -124,9 +139,7 @@ struct Alternation {
   double expected = 0;    // the same for as many right and wrong pixels in random order
 };
 
-// `unlit`: as `picture`, without lights.
-void look_around(const Simulation& sim, const Expected& picture, const Model& unlit, const Point& p,
-                 Alternation& a) {
+void look_around(const Simulation& sim, const Expected& picture, const Point& p, Alternation& a) {
   constexpr int side = 2 * window + 1;
   constexpr int few = 3;
   if (p.x < window || p.y < window || p.x + window >= sim.test.width ||
@@ -148,7 +161,7 @@ void look_around(const Simulation& sim, const Expected& picture, const Model& un
       }
       State& state = states[v][u];
       state = picture.differs(x, y) ? State::wrong : State::right;
-      if (state == State::right && largest_of(glm::abs(picture.shown(unlit.color(ray)) -
+      if (state == State::right && largest_of(glm::abs(picture.shown(picture.unlit().color(ray)) -
                                                        at(sim.test, x, y))) <= right_within) {
         state = State::dark;
       }
@@ -191,17 +204,17 @@ double share(std::size_t part_of, std::size_t whole) {
 
 // Whether the spots are noise: they alternate with right pixels, and lie anywhere on surfaces,
 // unlike lines along silhouettes.
-bool is_noise(const Simulation& sim, const Expected& picture, const Model& unlit,
+bool is_noise(const Simulation& sim, const Expected& picture,
               const std::vector<const Point*>& spots) {
   Alternation wrong;
   for (std::size_t i = 0; i < spots.size() && wrong.telling < max_windows; ++i) {
-    look_around(sim, picture, unlit, *spots[i], wrong);
+    look_around(sim, picture, *spots[i], wrong);
   }
   Alternation right;
   for (std::size_t i = 0; i < sim.points.size() && right.windows < max_windows; ++i) {
     const Point& p = sim.points[i];
     if (!p.differs && picture.model().first_hit(picture.ray(p.x, p.y)).part != nullptr) {
-      look_around(sim, picture, unlit, p, right);
+      look_around(sim, picture, p, right);
     }
   }
   return wrong.telling >= few_windows &&
@@ -213,11 +226,11 @@ bool is_noise(const Simulation& sim, const Expected& picture, const Model& unlit
 // How much of the light a pixel shows, in a picture with inexact colors: 0 without lights, 1 with
 // all. Nullopt where lights change it too little to tell.
 std::optional<double> light_shown(const Simulation& sim, const Expected& picture,
-                                  const Model& unlit, const glm::ivec2& p, const ModelHit& hit) {
+                                  const glm::ivec2& p, const ModelHit& hit) {
   constexpr dvec3 luma(0.299, 0.587, 0.114);  // which compression changes the least
   constexpr double enough_light = 32;  // of 255: beside less, errors of compression are large
   const ModelRay ray = picture.ray(p.x, p.y);
-  const double without = glm::dot(luma, picture.shown(unlit.color(ray, &hit)));
+  const double without = glm::dot(luma, picture.shown(picture.unlit().color(ray, &hit)));
   const double all = glm::dot(luma, picture.shown(picture.model().color(ray, &hit)));
   if (all - without < enough_light) {
     return std::nullopt;
@@ -228,8 +241,8 @@ std::optional<double> light_shown(const Simulation& sim, const Expected& picture
 // As look_around(), in a picture with inexact colors: a pixel is right here if it shows more of the
 // light than the window on average. A window is mixed if its pixels show either much or little of
 // it.
-void look_around_inexactly(const Simulation& sim, const Expected& picture, const Model& unlit,
-                           const glm::ivec2& middle, Alternation& a) {
+void look_around_inexactly(const Simulation& sim, const Expected& picture, const glm::ivec2& middle,
+                           Alternation& a) {
   constexpr int side = 2 * window + 1;
   constexpr double count = side * side;
   constexpr double inexact = 0.25;       // by how much light_shown() may be below 0 or above 1
@@ -243,7 +256,7 @@ void look_around_inexactly(const Simulation& sim, const Expected& picture, const
   if (center.part == nullptr) {
     return;
   }
-  const RenderMaterial& m = picture.trial().scene.materials[center.part->material];
+  const RenderMaterial& m = picture.material(center);
   if (m.reflective != glm::vec3(0) || m.transparent != glm::vec3(0) || m.blend > 0) {
     return;
   }
@@ -258,7 +271,7 @@ void look_around_inexactly(const Simulation& sim, const Expected& picture, const
       if (hit.part != center.part || hit.face != center.face) {
         return;
       }
-      const std::optional<double> light = light_shown(sim, picture, unlit, p, hit);
+      const std::optional<double> light = light_shown(sim, picture, p, hit);
       if (!light) {
         return;
       }
@@ -305,13 +318,10 @@ bool each_makes_right(const Simulation& sim, const Combination& made) {
 }  // namespace
 
 Acne find_acne(const Simulation& sim, const Combination& made, double least) {
-  if (!sim.usable || !sim.view->options.features.shadows || sim.view->options.mode != Mode::ray) {
+  if (!may_show_acne(sim)) {
     return {};
   }
   const Expected picture(sim, made);
-  Trial unlit = picture.trial();
-  unlit.scene.lights.clear();
-  const Model dark(unlit.scene, picture.shapes(), *sim.view->assets, unlit.options, unlit.mistakes);
   const Trial right_trial = sim.right_trial(false);
   const Model right(right_trial.scene, *sim.shapes, *sim.view->assets, right_trial.options,
                     right_trial.mistakes);
@@ -352,7 +362,7 @@ Acne find_acne(const Simulation& sim, const Combination& made, double least) {
       continue;
     }
     spots.push_back(&p);
-    const RenderMaterial& m = picture.trial().scene.materials[hit.part->material];
+    const RenderMaterial& m = picture.material(hit);
     if (m.transparent != glm::vec3(0)) {
       continue;  // shows other surfaces with acne
     }
@@ -363,7 +373,7 @@ Acne find_acne(const Simulation& sim, const Combination& made, double least) {
         brightest(right.light_shares(ray)) < 0.1 * brightest(arriving)) {
       continue;
     }
-    const dvec3 unlit_color = picture.shown(dark.color(ray));
+    const dvec3 unlit_color = picture.shown(picture.unlit().color(ray));
     between += largest_of(outside(p.test, glm::min(unlit_color, lit) - 4.0,
                                   glm::max(unlit_color, lit) + 4.0)) <= 0
                    ? 1
@@ -415,7 +425,7 @@ Acne find_acne(const Simulation& sim, const Combination& made, double least) {
          fmt::format("{} of the pixels that differ on mirrors show the mirror itself",
                      percent(mirrored)),
          mirrored});
-    return is_noise(sim, picture, dark, spots) ? acne : Acne();
+    return is_noise(sim, picture, spots) ? acne : Acne();
   }
   // On mirrors, the reflection may show acne, too, so the missing light may fit no set of lights.
   const bool all_mirrors = 10 * dull < dull + mirrors;
@@ -429,7 +439,7 @@ Acne find_acne(const Simulation& sim, const Combination& made, double least) {
       share(lacking_by_chance, controls) > max_by_chance * std::max(lack, lack_on_mirrors)) {
     return {};
   }
-  if (!is_noise(sim, picture, dark, spots)) {
+  if (!is_noise(sim, picture, spots)) {
     return {};
   }
   acne.unexplained = 1 - share(lacking + lacking_on_mirrors, dull + mirrors);
@@ -455,13 +465,10 @@ std::optional<Claim> claim_of_inexact_acne(const Simulation& sim) {
   // half of the windows are mixed.
   constexpr double min_share = 0.5;
   constexpr double min_changes = 0.85;
-  if (!sim.usable || !sim.view->options.features.shadows || sim.view->options.mode != Mode::ray) {
+  if (!may_show_acne(sim)) {
     return std::nullopt;
   }
   const Expected picture(sim, {});
-  Trial unlit = picture.trial();
-  unlit.scene.lights.clear();
-  const Model dark(unlit.scene, picture.shapes(), *sim.view->assets, unlit.options, unlit.mistakes);
   std::vector<glm::ivec2> wrong;
   for (int y = window; y + window < sim.test.height; ++y) {
     for (int x = window; x + window < sim.test.width; ++x) {
@@ -476,7 +483,7 @@ std::optional<Claim> claim_of_inexact_acne(const Simulation& sim) {
   for (std::size_t i = 0; i < std::min(max_tries, wrong.size()) && acne.telling < max_windows;
        ++i) {
     std::swap(wrong[i], wrong[i + random() % (wrong.size() - i)]);
-    look_around_inexactly(sim, picture, dark, wrong[i], acne);
+    look_around_inexactly(sim, picture, wrong[i], acne);
   }
   const double mixed = share(acne.mixed, acne.telling);
   if (acne.telling < few_windows || mixed < min_share ||

@@ -493,7 +493,8 @@ constexpr std::array paths_options{
     OptionRow{
         "--time", "", "SECONDS",
         "With --mode path: take samples until this time is over; --samples then is the maximum. "
-        "The number that was taken gives the same picture again. diff, grade, view and explain "
+        "--samples with the number that was taken gives the same picture. diff, grade, view and "
+        "explain "
         "--mine: processor time for the truth of path-traced pictures (default 40).",
         for_render | for_pictures | for_explain | for_view,
         [](Options& o, const std::string& v) { return read_number(v, 0.001, 1e7, o.seconds); }, "",

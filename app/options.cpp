@@ -426,7 +426,7 @@ std::string check_together(const Command& command, Options& options) {
 std::string parse_options(const Command& command, std::span<const char* const> words,
                           Options& options, const Configured& configured) {
   std::vector<std::string> all;
-  // A maximum that stands for a probability of 0 gives way to another probability.
+  // pathContinuationProb = 0 of a configuration became --max-depth 1, which --continue replaces.
   const bool continues = std::any_of(words.begin(), words.end(), [](std::string_view word) {
     return word.starts_with("--continue");
   });

@@ -1,6 +1,6 @@
 #pragma once
-// What `scenefile lsp` does with its server. Two sources implement it: the program reads standard
-// input itself, and of the program for Node.js JavaScript does (bindings/web/serve_editor.cpp).
+// What `scenefile lsp` does with its server. Two sources implement it: the native program reads
+// standard input; under Node.js, JavaScript does (bindings/web/serve_editor.cpp).
 
 #include "app/command.h"
 #include "scenefile/lsp/language_server.h"

@@ -114,7 +114,7 @@ TEST(PathBsdf, WeightsAreTheValueOverTheDensity) {
       const BsdfValue value = evaluate(bsdf, facing, s.to_light);
       ASSERT_NEAR(s.density, value.density, 1e-9 * value.density) << name;
       for (int c = 0; c < 3; ++c) {
-        ASSERT_NEAR(s.weight[c] * s.density, value.light[c], 1e-9 * value.density) << name;
+        ASSERT_NEAR(s.weight[c] * s.density, value.bsdf_cosine[c], 1e-9 * value.density) << name;
       }
     }
   }
@@ -123,7 +123,7 @@ TEST(PathBsdf, WeightsAreTheValueOverTheDensity) {
 double albedo(const Bsdf& bsdf, const Facing& facing) {
   double sum = 0;
   for (const double part :
-       integrals([&](const dvec3& d) { return evaluate(bsdf, facing, d).light.x; })) {
+       integrals([&](const dvec3& d) { return evaluate(bsdf, facing, d).bsdf_cosine.x; })) {
     sum += part;
   }
   return sum;
@@ -161,8 +161,8 @@ TEST(PathBsdf, IsReciprocal) {
       const dvec3 a = direction();
       const dvec3 b = direction();
       const dvec3 up(0, 0, 1);
-      const double there = evaluate(bsdf, facing_of(up, up, a), b).light.x / b.z;
-      const double back = evaluate(bsdf, facing_of(up, up, b), a).light.x / a.z;
+      const double there = evaluate(bsdf, facing_of(up, up, a), b).bsdf_cosine.x / b.z;
+      const double back = evaluate(bsdf, facing_of(up, up, b), a).bsdf_cosine.x / a.z;
       ASSERT_NEAR(there, back, 1e-9 * (1 + there)) << name;
     }
   }
@@ -171,12 +171,13 @@ TEST(PathBsdf, IsReciprocal) {
 TEST(PathBsdf, NothingIsReflectedThroughTheSurface) {
   for (const auto& [name, bsdf] : rough_ones()) {
     const Facing facing = seen_from(70);
-    EXPECT_EQ(evaluate(bsdf, facing, glm::normalize(dvec3(0.2, 0.3, -0.1))).light, Color(0))
+    EXPECT_EQ(evaluate(bsdf, facing, glm::normalize(dvec3(0.2, 0.3, -0.1))).bsdf_cosine, Color(0))
         << name;
     // An interpolated normal that leans toward the light does not let it through either.
     const dvec3 leaning = glm::normalize(dvec3(0.8, 0, 0.6));
     const Facing bent = facing_of(leaning, {0, 0, 1}, glm::normalize(dvec3(0.5, 0, 0.5)));
-    EXPECT_EQ(evaluate(bsdf, bent, glm::normalize(dvec3(0.9, 0, -0.2))).light, Color(0)) << name;
+    EXPECT_EQ(evaluate(bsdf, bent, glm::normalize(dvec3(0.9, 0, -0.2))).bsdf_cosine, Color(0))
+        << name;
   }
 }
 
@@ -192,7 +193,7 @@ TEST(PathBsdf, MirrorsReflectInOneDirection) {
       glm::length(s.to_light + facing.to_eye - 2 * std::cos(glm::radians(35.0)) * facing.normal), 0,
       1e-12);
   EXPECT_FALSE(is_rough(bsdf));
-  EXPECT_EQ(evaluate(bsdf, facing, s.to_light).light, Color(0));
+  EXPECT_EQ(evaluate(bsdf, facing, s.to_light).bsdf_cosine, Color(0));
 }
 
 TEST(PathBsdf, GlassReflectsByFresnelAndRefractsBySnell) {

@@ -39,7 +39,7 @@ void check_sums(const PathPixel& pixel) {
     const bool last = i + 1 == path.vertices.size();
     EXPECT_EQ(v.end == PathEnd::none, !last || path.escaped);
     if (v.next.lobe != BsdfLobe::none && !v.next.specular() && v.next.density > 0) {
-      EXPECT_EQ(v.next.weight, v.next.light / v.next.density);
+      EXPECT_EQ(v.next.weight, v.next.bsdf_cosine / v.next.density);
     }
     throughput = throughput * v.next.weight / v.continuation;
   }
@@ -136,7 +136,7 @@ TEST(PathExplain, ShowsTheSampleNearestToTheCenterByDefault) {
   for (const PathSample& s : pixel.samples) {
     EXPECT_LE(off(pixel.samples[pixel.shown]), off(s));
   }
-  EXPECT_GT(pixel.deviation, 0);
+  EXPECT_GT(pixel.standard_error, 0);
 }
 
 TEST(PathExplain, PathsThatMissAreBlack) {

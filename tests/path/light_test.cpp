@@ -82,8 +82,9 @@ TEST(PathFurnace, GlossyWallsReflectTheirAlbedo) {
       for (int j = 0; j < 4 * rows; ++j) {
         const double turn = 2 * pi * (j + 0.5) / (4 * rows);
         const double out = std::sqrt(1 - up * up);
-        albedo += evaluate(bsdf, facing, {out * std::cos(turn), up, out * std::sin(turn)}).light.x *
-                  2 * pi / (4.0 * rows * rows);
+        albedo +=
+            evaluate(bsdf, facing, {out * std::cos(turn), up, out * std::sin(turn)}).bsdf_cosine.x *
+            2 * pi / (4.0 * rows * rows);
       }
     }
     for (const int light_samples : {0, 1}) {

@@ -595,7 +595,7 @@ TextRange Document::with_comments(ItemId id) const {
   const Syntax& syntax = state_->syntax;
   const PartId part = item.block != no_part && !item.shared ? item.block : item.element;
   const PartId parent = syntax[part].parent;
-  return Layout(syntax).with_remarks(item.range, parent == no_part ? 0 : syntax[parent].body);
+  return Layout(syntax).with_comments(item.range, parent == no_part ? 0 : syntax[parent].body);
 }
 
 std::vector<std::string> Document::templates_for(ItemId group) const {

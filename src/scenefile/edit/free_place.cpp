@@ -216,7 +216,7 @@ glm::dvec3 shortest(std::span<const glm::dvec3> ways, std::span<const double> le
   return best;
 }
 
-// How far up it stands on something that it overlaps, the lowest few, and 0.
+// The heights by which to raise it onto what it overlaps: 0, and the lowest few.
 std::vector<double> levels_above(const Extent& from, const std::vector<Extent>& obstacles) {
   constexpr std::size_t most_levels = 6;
   std::vector<double> levels{0};
@@ -255,7 +255,7 @@ glm::dvec3 free_place(const Document& document, std::optional<ItemId> group, con
   }
   const Viewpoint from = view ? *view : viewpoint_of(document, drawn.scene);
   std::vector<Extent> obstacles = obstacles_in(document, drawn, master);
-  // Around the camera may be a room; a template is not where the camera is.
+  // What the camera is in may be a room. Templates have their own space, without a camera.
   std::erase_if(obstacles, [&](const Extent& obstacle) {
     return master == no_item && obstacle.holds(from.eye);
   });

@@ -113,7 +113,7 @@ bool Layout::starts_line(std::size_t at) const {
 }
 
 // The end of the line at `at` without white space if only comments follow, otherwise `at`.
-std::size_t Layout::after_remarks(std::size_t at) const {
+std::size_t Layout::after_comments(std::size_t at) const {
   std::size_t end = at;
   for (;;) {
     const std::size_t next = std::min(text_.find_first_not_of(" \t", end), text_.size());
@@ -136,7 +136,7 @@ std::size_t Layout::line_end_at(std::size_t at) const {
   return rest.empty() || rest[0] == '\n' || rest.starts_with("\r\n") ? next : at;
 }
 
-TextRange Layout::with_remarks(TextRange range, std::size_t limit) const {
+TextRange Layout::with_comments(TextRange range, std::size_t limit) const {
   std::size_t start = range.from;
   for (;;) {
     std::string_view above = text_.substr(limit, start - limit);
@@ -161,7 +161,7 @@ TextRange Layout::with_remarks(TextRange range, std::size_t limit) const {
     start = limit + open;
   }
   // A comment after several on a line is about the line.
-  const std::size_t end = starts_line(range.from) ? after_remarks(range.to) : range.to;
+  const std::size_t end = starts_line(range.from) ? after_comments(range.to) : range.to;
   return {static_cast<std::uint32_t>(start), static_cast<std::uint32_t>(end)};
 }
 
@@ -262,7 +262,7 @@ Insertion Layout::insert_children(PartId id, PartId previous, std::span<const Pi
   }
   if (previous != no_part) {
     const TextRange place = syntax_[previous].range();
-    const std::size_t end = line_end_at(after_remarks(place.to));
+    const std::size_t end = line_end_at(after_comments(place.to));
     const bool ends_line = end == text_.size() || text_[end] == '\n' || text_[end] == '\r';
     if (starts_line(place.from) && ends_line) {
       const std::string indent(indent_at(place.from));
@@ -282,7 +282,7 @@ Insertion Layout::insert_children(PartId id, PartId previous, std::span<const Pi
       return {insertion_at(next.from, joined(own, "", "", false)), 0};
     }
     const std::string indent(indent_at(next.from));
-    return {insertion_at(with_remarks(next, element.body).from,
+    return {insertion_at(with_comments(next, element.body).from,
                          joined(indent, "", line_end_ + indent, lines)),
             0};
   }

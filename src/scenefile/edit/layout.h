@@ -63,7 +63,7 @@ class Layout {
   TextChange remove_element(TextRange range) const;
   /// The range of an element with the comments that belong to it: after it on its last line if it
   /// begins a line, and on the lines directly above, but not before `limit`.
-  TextRange with_remarks(TextRange range, std::size_t limit) const;
+  TextRange with_comments(TextRange range, std::size_t limit) const;
   /// Sets an attribute to an escaped value; `after`: the attributes that come before it.
   TextChange set_attribute(PartId element, std::string_view name, std::string_view value,
                            std::span<const std::string_view> after) const;
@@ -78,7 +78,7 @@ class Layout {
  private:
   std::size_t line_start(std::size_t at) const;
   bool starts_line(std::size_t at) const;
-  std::size_t after_remarks(std::size_t at) const;
+  std::size_t after_comments(std::size_t at) const;
   std::size_t line_end_at(std::size_t at) const;
   std::string_view gap_before(PartId list, std::size_t index) const;
   std::string colon_of(PartId object) const;

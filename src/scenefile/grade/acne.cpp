@@ -29,8 +29,7 @@ constexpr std::size_t few_windows = 5;  // fewer windows are not evidence
 // Minimum share of the picture. A correct program in single precision may have specks in a
 // thousandth of it.
 constexpr double min_area = 0.003;
-constexpr double min_explained = 0.85;  // share of the examined pixels that acne must explain
-constexpr double max_by_chance = 0.5;   // of the share of those that acne explains
+constexpr double max_by_chance = 0.5;  // of the share of those that acne explains
 // Of the pixels on mirrors, half or more lack light in the reflection, too.
 constexpr double min_lacking_on_mirrors = 0.2;
 constexpr std::size_t few_dull = 5;       // pixels on surfaces without reflections

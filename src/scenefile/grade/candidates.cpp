@@ -170,13 +170,13 @@ bool loses_colors(const Hypothesis& curve) {
 }  // namespace
 
 bool good(const Tried& t) {
-  return t.explained >= enough && t.exact >= enough_exact && t.broken <= max_broken;
+  return t.explained >= min_explained && t.exact >= min_exact && t.broken <= max_broken;
 }
 
 bool good_enough(const Simulation& sim, const Tried& t) {
   return good(t) &&
-         (sure(t) ||
-          (!needs_to_be_sure(sim, t.mistakes) && (t.mistakes.size() == 1 || t.exact >= enough))) &&
+         (sure(t) || (!needs_to_be_sure(sim, t.mistakes) &&
+                      (t.mistakes.size() == 1 || t.exact >= min_explained))) &&
          leaves_only_rounding(sim, t.mistakes) && !only_refines_brightness(sim, t);
 }
 

@@ -15,7 +15,7 @@ inline constexpr std::size_t few_points = 100;  ///< points used to screen combi
 
 /// Whether the claim satisfies the thresholds in evidence.h.
 bool good(const Tried& t);
-/// Whether the mistakes leave nothing but rounding: at most of the points that they should explain,
+/// Whether the mistakes leave nothing but rounding: at nearly all points that they should explain,
 /// the simulated color equals that of the test within rounding. A mistake that only imitates the
 /// actual one comes close, but is not equal.
 bool leaves_only_rounding(const Simulation& sim, const Combination& mistakes);

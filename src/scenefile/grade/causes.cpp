@@ -215,8 +215,8 @@ bool is_chance(Cause rival, Cause found) {
 bool reproduces_its_part(const Simulation& sim, const Tried& t) {
   const std::size_t count = sim.points.size();
   const Effect e = effect_of(sim, sim.predicted(t.mistakes, count), sim.predicted({}, count));
-  return e.changed >= part * sim.weight_that_differs(count) && e.right >= nearly_all * e.changed &&
-         e.within_rounding >= 0.8 * e.changed;
+  return e.changed >= min_partial * sim.weight_that_differs(count) &&
+         e.right >= nearly_all * e.changed && e.within_rounding >= 0.8 * e.changed;
 }
 
 // Equal but for rounding.
@@ -553,7 +553,7 @@ std::vector<Tried> with_fitted_functions(Simulation& sim, std::vector<Tried> alo
   std::vector<Tried> fitting = fitting_functions(sim, {});
   std::optional<Tried> best;
   for (const Tried& t : fitting) {
-    best = t.explained >= part && (!best || t.explained > best->explained) ? t : best;
+    best = t.explained >= min_partial && (!best || t.explained > best->explained) ? t : best;
   }
   std::erase_if(fitting, [&](const Tried& t) { return !is_cause(sim, t); });
   // If several functions fit, the picture does not determine any of them.
@@ -634,7 +634,7 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
   std::vector<Tried> ranked = sim.try_all(singles, screen, 0, 0.3);
   sort_by_merit(ranked);
   if (asked == LookFor::single_mistakes) {
-    std::erase_if(ranked, [](const Tried& t) { return t.merit() < part; });
+    std::erase_if(ranked, [](const Tried& t) { return t.merit() < min_partial; });
   }
   std::vector<Tried> alone = verified(sim, ranked, 16, 0.3, 0.4);
   std::erase_if(alone, [&](const Tried& t) { return good(t) && !explains_blocks(sim, t); });
@@ -726,8 +726,9 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
     }
   }
   for (const Tried& t : alone) {
-    if (t.explained >= part && t.broken <= max_broken && t.mistakes.front() < sim.first_fitted &&
-        shows_much(sim, t) && reproduces_its_part(sim, t)) {
+    if (t.explained >= min_partial && t.broken <= max_broken &&
+        t.mistakes.front() < sim.first_fitted && shows_much(sim, t) &&
+        reproduces_its_part(sim, t)) {
       const Hypothesis& h = sim.list[t.mistakes.front()];
       report.partial.push_back({h.cause, h.what,
                                 evidence_of_share(t.explained) + "; something else is wrong, too",

@@ -14,10 +14,10 @@
 namespace scenefile {
 
 // A claim must satisfy the first three thresholds.
-inline constexpr double enough = 0.85;        ///< share of the difference that a claim must explain
-inline constexpr double enough_exact = 0.75;  ///< share of the differing pixels that it must match
-inline constexpr double max_broken = 0.03;    ///< share of the correct pixels that it may break
-inline constexpr double part = 0.5;           ///< minimum for a partial cause
+inline constexpr double min_explained = 0.85;  ///< share of the difference, for a claim
+inline constexpr double min_exact = 0.75;      ///< share of the differing pixels that it must match
+inline constexpr double max_broken = 0.03;     ///< share of the correct pixels that it may break
+inline constexpr double min_partial = 0.5;     ///< minimum for a partial cause
 inline constexpr std::size_t few_pixels = 12;  ///< fewer differing pixels are not evidence
 /// Share of pixels where our picture of the scene may differ from the reference.
 inline constexpr double max_unlike = 0.1;

@@ -349,8 +349,9 @@ class Search {
         return;
       }
     }
-    if (!alone.empty() && alone.front().explained >= part && alone.front().exact >= part &&
-        alone.front().broken <= max_broken && alone.front().holds) {
+    if (!alone.empty() && alone.front().explained >= min_partial &&
+        alone.front().exact >= min_partial && alone.front().broken <= max_broken &&
+        alone.front().holds) {
       const RealtimeHypothesis& h = list_[alone.front().mistakes.front()];
       report_.partial.push_back(
           {h.cause, h.what,

@@ -288,7 +288,7 @@ std::optional<Claim> drop_other_samples(Simulation& sim,
   for (const Sampling& way : possible_samplings(sim)) {
     const Trial trial = trial_of(sim, way);
     if (way.side == dense ? share_of(within_samples(sim, trial, first).right) < plausible
-                          : share_of(means_of_samples(sim, trial, first, way.side)) < part) {
+                          : share_of(means_of_samples(sim, trial, first, way.side)) < min_partial) {
       continue;
     }
     // The reference may have other samples than our picture, but it must show the same.
@@ -382,7 +382,7 @@ std::optional<Claim> claim_of_blur(Simulation& sim, const Pixels& pixels) {
     for (const Point& p : points) {
       (p.differs ? differs : same) += p.weight;
     }
-    if (differs > 0 && s.left < (1 - enough) * b.left && s.exact >= enough_exact * differs &&
+    if (differs > 0 && s.left < (1 - min_explained) * b.left && s.exact >= min_exact * differs &&
         s.broken <= max_broken * same) {
       return Claim{Cause::samples, blurred_by(size), evidence_of_share(1 - s.left / b.left),
                    1 - s.left / b.left};

@@ -46,7 +46,7 @@ bool explains_rest(const Simulation& sim, const Combination& with, const Combina
   constexpr double mostly = 0.85;
   const std::size_t count = sim.points.size();
   const Effect e = effect_of(sim, sim.predicted(with, count), sim.predicted(without, count));
-  return e.gained >= double(few_pixels) && e.gained >= part * e.changed &&
+  return e.gained >= double(few_pixels) && e.gained >= min_partial * e.changed &&
          e.right >= nearly_all * e.changed && e.within_rounding >= mostly * e.changed;
 }
 
@@ -57,7 +57,7 @@ std::optional<Tried> with_addition(Simulation& sim, const Tried& found) {
   std::optional<Tried> best;
   for (const Tried& t : likely_additions(sim, found.mistakes)) {
     Tried whole = sim.rated(t.mistakes, sim.score_of(t.mistakes, sim.points.size()), b);
-    if (whole.score.left < part * left && (!best || whole.score.left < best->score.left) &&
+    if (whole.score.left < min_partial * left && (!best || whole.score.left < best->score.left) &&
         explains_rest(sim, whole.mistakes, found.mistakes)) {
       best = std::move(whole);
     }

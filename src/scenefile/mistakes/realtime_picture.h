@@ -101,11 +101,11 @@ struct RealtimeShapes {
 };
 
 /// Searches for causes are limited to scenes with this many shapes.
-inline constexpr double max_realtime_parts = 30000;
+inline constexpr double max_searched_shapes = 30000;
 /// In the order of the file: a group's primitives, then its instances. Null if the scene has more
 /// than `most` shapes.
 std::shared_ptr<const RealtimeShapes> realtime_shapes(const RenderScene& scene,
-                                                      double most = max_realtime_parts);
+                                                      double most = max_searched_shapes);
 
 /// Which triangle each pixel of a frame shows.
 struct Visibility {

@@ -60,7 +60,7 @@ void sort_by_importance(std::vector<FrameShare>& shares, const glm::dvec2& place
 std::optional<RealtimePixel> realtime_pixel(const RenderScene& scene, const Assets& assets,
                                             const RealtimeOptions& panel, const glm::ivec2& size,
                                             const glm::ivec2& pixel) {
-  const auto shapes = realtime_shapes(scene, max_realtime_shapes);
+  const auto shapes = realtime_shapes(scene, max_explained_shapes);
   if (shapes == nullptr) {
     return std::nullopt;
   }

@@ -43,10 +43,10 @@ struct RealtimePixel {
 };
 
 /// The pixel (x, y), row 0 at the top, of a picture of that size. nullopt: the scene has more
-/// shapes than max_realtime_shapes.
+/// shapes than max_explained_shapes.
 std::optional<RealtimePixel> realtime_pixel(const RenderScene& scene, const Assets& assets,
                                             const RealtimeOptions& panel, const glm::ivec2& size,
                                             const glm::ivec2& pixel);
-inline constexpr double max_realtime_shapes = 300000;
+inline constexpr double max_explained_shapes = 300000;
 
 }  // namespace scenefile

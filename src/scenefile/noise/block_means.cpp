@@ -59,7 +59,7 @@ TruthBlocks::TruthBlocks(const PathTruth& t) : truth(t), zero(t.blocks(), Color(
     double count = 0;
     Color steps(0);
     for_each_pixel(t, b, [&](int x, int y, std::size_t at) {
-      variance[b] += t.deviations[at];
+      variance[b] += t.sample_variances[at];
       const auto pixel = [&](int i, int j) {
         return t.pixels[std::size_t(std::clamp(j, 0, t.height - 1)) * t.width +
                         std::clamp(i, 0, t.width - 1)];
@@ -69,7 +69,7 @@ TruthBlocks::TruthBlocks(const PathTruth& t) : truth(t), zero(t.blocks(), Color(
       gradient_x[b] += dx;
       gradient_y[b] += dy;
       // Noise has steps, too.
-      steps += dx * dx + dy * dy - 1.5 * t.deviations[at] / t.samples;
+      steps += dx * dx + dy * dy - 1.5 * t.sample_variances[at] / t.samples;
       ++count;
     });
     variance[b] /= count;

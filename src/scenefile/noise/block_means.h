@@ -111,7 +111,8 @@ struct ObservedBlocks {
 
 ObservedBlocks observe(const TruthBlocks& back, const LinearPicture& picture);
 
-/// What a shift to the right and down changes, without a direction in which nothing changes.
+/// How the blocks change with a shift of the picture to the right, and down; directions in which
+/// nothing changes are left out.
 std::vector<const BlockColors*> gradients(const TruthBlocks& back, const MeasuredBlocks& measured);
 
 }  // namespace scenefile

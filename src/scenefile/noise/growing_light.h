@@ -18,9 +18,9 @@ struct GrowthMatch {
   double samples = 0;  ///< per pixel
 };
 
-/// The mistakes with which light grows and pixels are distributed as in the picture; the best
-/// first. Those of one name count once. Empty if none is like it, or any other brightness of a
-/// program in which light does not grow.
+/// The mistakes with which light grows and pixels have the distribution of those of the picture;
+/// the best first, one for each name. Empty if none fits, or if a program in which light does not
+/// grow fits at another brightness.
 std::vector<GrowthMatch> match_growth(const TruthBlocks& back, const LinearPicture& picture);
 
 }  // namespace scenefile

@@ -355,10 +355,10 @@ double pixels_of(const PathTruth& truth, std::size_t b) {
 void set_means(const PathScene& scene, const Totals& totals, PathTruth& truth) {
   const double n = truth.samples;
   truth.pixels.resize(totals.pixels.size());
-  truth.deviations.resize(totals.pixels.size());
+  truth.sample_variances.resize(totals.pixels.size());
   for (std::size_t i = 0; i < totals.pixels.size(); ++i) {
     truth.pixels[i] = totals.pixels[i] / n;
-    truth.deviations[i] =
+    truth.sample_variances[i] =
         glm::max(Color(0),
                  (totals.pixel_squares[i] / n - truth.pixels[i] * truth.pixels[i]) * (n / (n - 1)));
   }

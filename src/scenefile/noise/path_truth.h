@@ -148,10 +148,10 @@ struct PathTruth {
   int height = 0;
   int columns = 0;  ///< blocks
   int rows = 0;
-  double samples = 0;             ///< per pixel
-  std::vector<Color> pixels;      ///< the picture
-  std::vector<Color> deviations;  ///< by pixel: the variance of a single sample
-  BlockColors noise;              ///< by block: the variance of the picture's mean, measured
+  double samples = 0;                   ///< per pixel
+  std::vector<Color> pixels;            ///< the picture
+  std::vector<Color> sample_variances;  ///< by pixel: the variance of a single sample
+  BlockColors noise;                    ///< by block: the variance of the picture's mean, measured
   std::map<LightKind, BlockColors> kinds;
   std::vector<BlockColors> first_passes;  ///< sums of the first 1, 2, 4, 8, ... passes
   std::array<ChangedPicture, change_count> changes;

@@ -182,7 +182,7 @@ std::vector<std::size_t> lamp_pixels(const TruthBlocks& back) {
     const double bright = luminance(t.pixels[at]);
     constexpr double varied = 0.05;  // the most by which its samples differ
     if (luminance(back.lamp[block]) > 0 && bright > 0 &&
-        luminance(t.deviations[at]) <= varied * varied * bright * bright) {
+        luminance(t.sample_variances[at]) <= varied * varied * bright * bright) {
       pixels.push_back(at);
     }
   }

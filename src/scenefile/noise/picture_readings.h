@@ -49,7 +49,7 @@ struct Reading {
   double cost() const;
 };
 
-/// Without models.
+/// Reads the picture with this curve; Reading::models stays empty.
 Reading read_as(const TruthBlocks& back, const DecodedPicture& mine, const ScreenCurve& screen,
                 bool any_exposure);
 

@@ -79,7 +79,7 @@ BsdfValue value_of(const Bsdf& bsdf, const LobeShares& shares, const Facing& fac
   const bool reflects = glm::dot(facing.geometric, to_light) > 0;
   if (shares.diffuse > 0 && cosine > 0) {
     value.density += shares.diffuse * cosine / pi;
-    value.light += cosine / pi * bsdf.diffuse;
+    value.bsdf_cosine += cosine / pi * bsdf.diffuse;
   }
   if (shares.glossy > 0) {
     const double n = bsdf.shininess;
@@ -87,11 +87,11 @@ BsdfValue value_of(const Bsdf& bsdf, const LobeShares& shares, const Facing& fac
     if (along > 0) {
       const double lobe = std::pow(along, n) / (2 * pi);
       value.density += shares.glossy * (n + 1) * lobe;
-      value.light += std::max(0.0, cosine) * (n + 2) * lobe * bsdf.glossy;
+      value.bsdf_cosine += std::max(0.0, cosine) * (n + 2) * lobe * bsdf.glossy;
     }
   }
   if (!reflects) {
-    value.light = Color(0);
+    value.bsdf_cosine = Color(0);
   }
   return value;
 }
@@ -106,7 +106,7 @@ BsdfSample glass_sample(const Bsdf& bsdf, const Facing& facing, double choice) {
     result.lobe = BsdfLobe::reflection;
     result.density = std::min(reflected, 1.0);
     result.to_light = mirror_direction(facing);
-    result.light = result.density * bsdf.glass;
+    result.bsdf_cosine = result.density * bsdf.glass;
     return result;
   }
   const double inside = std::sqrt(std::max(0.0, 1 - eta * eta * (1 - cosine * cosine)));
@@ -115,7 +115,7 @@ BsdfSample glass_sample(const Bsdf& bsdf, const Facing& facing, double choice) {
   result.lobe = BsdfLobe::refraction;
   result.density = 1 - reflected;
   result.to_light = glm::dot(through, facing.geometric) < 0 ? through : -facing.to_eye;
-  result.light = result.density * bsdf.glass;
+  result.bsdf_cosine = result.density * bsdf.glass;
   return result;
 }
 
@@ -154,10 +154,10 @@ BsdfSample sample(const Bsdf& bsdf, const Facing& facing, double lobe, const glm
                               : power_direction(mirrored_about(facing.normal, facing.to_eye),
                                                 bsdf.shininess, point);
     const BsdfValue value = value_of(bsdf, shares, facing, result.to_light);
-    result.light = value.light;
+    result.bsdf_cosine = value.bsdf_cosine;
     result.density = value.density;
     if (value.density > 0) {
-      result.weight = value.light / value.density;
+      result.weight = value.bsdf_cosine / value.density;
     }
     return result;
   }
@@ -165,7 +165,7 @@ BsdfSample sample(const Bsdf& bsdf, const Facing& facing, double lobe, const glm
   if (lobe < shares.mirror) {
     result.lobe = BsdfLobe::mirror;
     result.to_light = mirror_direction(facing);
-    result.light = bsdf.mirror;
+    result.bsdf_cosine = bsdf.mirror;
     result.density = shares.mirror;
     result.weight = bsdf.mirror / shares.mirror;
   } else if (shares.glass > 0) {
@@ -186,8 +186,8 @@ BsdfSample sample_uniformly(const Bsdf& bsdf, const Facing& facing, double lobe,
   const LobeShares shares = lobe_shares(bsdf);
   result.to_light = power_direction(facing.normal, 0, point);
   result.density = (shares.diffuse + shares.glossy) / (2 * pi);
-  result.light = value_of(bsdf, shares, facing, result.to_light).light;
-  result.weight = result.light / result.density;
+  result.bsdf_cosine = value_of(bsdf, shares, facing, result.to_light).bsdf_cosine;
+  result.weight = result.bsdf_cosine / result.density;
   return result;
 }
 

@@ -34,8 +34,8 @@ Facing facing_of(const glm::dvec3& outward, const glm::dvec3& geometric, const g
 
 /// The value for a direction, of the lobes that have one: diffuse and glossy.
 struct BsdfValue {
-  Color light{0};      ///< BSDF times cosine
-  double density = 0;  ///< of sample() for this direction, per solid angle
+  Color bsdf_cosine{0};  ///< BSDF times cosine
+  double density = 0;    ///< of sample() for this direction, per solid angle
 };
 BsdfValue evaluate(const Bsdf& bsdf, const Facing& facing, const glm::dvec3& to_light);
 
@@ -47,12 +47,12 @@ enum class BsdfLobe : std::uint8_t { none, diffuse, glossy, mirror, reflection, 
 
 struct BsdfSample {
   glm::dvec3 to_light{0};          ///< unit length
-  Color weight{0};                 ///< light / density; 0: the path ends
+  Color weight{0};                 ///< bsdf_cosine / density; 0: the path ends
   BsdfLobe lobe = BsdfLobe::none;  ///< that was chosen for the direction
   /// Mirrors and glass have only one direction or two.
   bool specular() const { return lobe >= BsdfLobe::mirror; }
-  Color light{0};      ///< BSDF of all rough lobes times cosine; specular: the factor
-  double density = 0;  ///< rough: of all of them, per solid angle; specular: the probability
+  Color bsdf_cosine{0};  ///< BSDF of all rough lobes times cosine; specular: the factor
+  double density = 0;    ///< rough: of all of them, per solid angle; specular: the probability
 };
 
 /// A random direction. `lobe` and `point` are uniform in [0, 1).

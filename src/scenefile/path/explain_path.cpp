@@ -84,7 +84,7 @@ RenderStatus explain_path(const RenderScene& scene, const Assets& assets,
   name_objects(paths.tracer, pixel);
   const Image image = image_of(state);
   std::copy(image.rgb.begin(), image.rgb.end(), pixel.picture.begin());
-  pixel.deviation = std::sqrt(variances_of(state).front());
+  pixel.standard_error = std::sqrt(variances_of(state).front());
   return paths.tracer.status();
 }
 

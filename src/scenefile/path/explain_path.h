@@ -31,7 +31,7 @@ struct PathPixel {
   /// By light of `path`: the first object between it and the vertex, if any light is missing.
   std::vector<std::optional<ObjectRef>> occluders;
   std::array<float, 3> picture{};  ///< linear, as stored in the image by render_path()
-  double deviation = 0;  ///< standard error of its luminance, assuming independent samples
+  double standard_error = 0;  ///< standard error of its luminance, assuming independent samples
 };
 
 /// Takes the samples of pixel (x, y) as render_path() does. `sample` selects the sample to describe

@@ -204,7 +204,7 @@ class Path {
     light.lamp = lamp.triangle;
     light.lamp_weights = lamp.weights;
     light.emission = lamp.emission;
-    light.reflected = value.light;
+    light.reflected = value.bsdf_cosine;
     light.density = count * lamp.density * falloff / cosine;
     light.bsdf_density = value.density;
     light.weight = uses_mis() ? mis_weight(light.density, value.density) : 1;

@@ -1,6 +1,6 @@
 #pragma once
-// The scene to draw: world space, radians, indices; no names, nodes or file places. Made once by
-// prepare() (prepare.h), never edited.
+// The scene to draw: world space, radians, indices; no names, nodes or file places. Made by
+// prepare() (prepare.h); callers may change the camera.
 //
 // Its size is proportional to the file, not to the number of instances: a template is one group,
 // however often it is instantiated.

@@ -14,7 +14,7 @@ constexpr int patch = 1;            // pixels around each of them to compare
 constexpr int variance_window = 2;  // pixels around each to average the variance over
 static_assert(denoise_reach == window + patch + variance_window);
 
-// Tolerances for guides, as standard deviations.
+// Tolerances for guides, as standard sample_variances.
 constexpr float normal_width = 0.1f;
 constexpr float albedo_width = 0.02f;
 constexpr float coverage_width = 0.05f;

@@ -236,7 +236,7 @@ inline void add_light(const WavefrontScene& scene, const LightSamples& samples,
                       WavefrontMemory& memory, RayCounts& counts, const AovOutput* aovs) {
   const Tracer& tracer = scene.tracer;
   const bool shadows = tracer.options.features.shadows && tracer.options.mode == Mode::ray;
-  const bool dimmed = shadows && scene.clear_shadows;
+  const bool dimmed = shadows && scene.transmissive_shadows;
   ShadingPoints& points = memory.points;
   DirectLight& light = memory.light;
   const int chunks = (points.count + lanes - 1) / lanes;

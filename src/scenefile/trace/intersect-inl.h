@@ -262,7 +262,7 @@ struct Shadows {
     if (none(met)) {
       return false;
     }
-    if (!scene.clear_shadows) {
+    if (!scene.transmissive_shadows) {
       open = open & !met;
       return true;
     }
@@ -318,7 +318,7 @@ inline void find_blocked_by_lane(const WavefrontScene& scene, const ShadingPoint
                                                         tracer.transmission, &blocker);
     blocked |= unsigned(left == Color(0)) << i;
     keep_blocker(root, blocker, recent);
-    if (scene.clear_shadows) {
+    if (scene.transmissive_shadows) {
       put(left, light.left, k);
     }
   }
@@ -360,7 +360,7 @@ void find_blocked_among(const WavefrontScene& scene, int count, const ObjectOf& 
     }
   }
   light.blocked[at / lanes] = static_cast<std::uint8_t>(bits(chunk.mask & !shadows.open));
-  if (scene.clear_shadows) {
+  if (scene.transmissive_shadows) {
     put_left(shadows, at, light);
   }
 }

@@ -127,7 +127,7 @@ inline void record_light(const RayQueue& rays, const ShadingPoints& points, std:
 /// The fraction of light that shadows leave at point k.
 inline Color left_of(const WavefrontScene& scene, const DirectLight& light, int k) {
   const bool blocked = (light.blocked[k / lanes] >> k % lanes & 1) != 0;
-  return blocked ? Color(0) : scene.clear_shadows ? get(light.left, k) : Color(1);
+  return blocked ? Color(0) : scene.transmissive_shadows ? get(light.left, k) : Color(1);
 }
 
 /// A sample of a light at point k, which it reaches. `shadows`: shadow rays are traced.

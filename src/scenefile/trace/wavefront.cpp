@@ -158,7 +158,7 @@ WavefrontScene::WavefrontScene(const Tracer& t, const CameraRays& c)
       kernel(wavefront_kernels().front()),
       root(root_objects(t.accelerator.geometry())),
       course(t.course()),
-      clear_shadows(!t.transmission.all_opaque()),
+      transmissive_shadows(!t.transmission.all_opaque()),
       fresnel(t.options.fresnel && t.options.features.refract),
       packet_bvh(t.accelerator.packet_bvh()),
       mesh_reach(t.accelerator.mesh_reach()) {

@@ -87,7 +87,7 @@ struct WavefrontScene {
   const WavefrontKernel* kernel;
   const std::vector<Object>& root;  ///< the objects of the root group
   bool course;                      ///< the profile
-  bool clear_shadows;               ///< some objects let light through
+  bool transmissive_shadows;        ///< some objects let light through
   bool fresnel;                     ///< use Fresnel's equations for glass
   std::vector<ShadingMaterial> materials;
   bool by_footprint = false;       ///< a texture or bump map is filtered over footprints

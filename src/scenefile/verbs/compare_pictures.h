@@ -43,9 +43,9 @@ struct PlaceToLook {
 
 struct PictureComparison {
   PictureMeasures measures;
-  /// If the picture and the reference have different sizes: what was compared with the picture
-  /// instead of the reference. Our picture of the scene at the size of the picture, if ours matches
-  /// the reference at its size; otherwise, or if a part of the reference suffices, made from it.
+  /// If the picture and the reference have different sizes: what the picture was compared with. If
+  /// our picture of the scene matches the reference, ours at the size of the picture; otherwise, or
+  /// if the picture is a part of the reference, the reference scaled or cropped.
   std::optional<Texture> other_reference;
   bool drawn = false;      ///< `other_reference` is our picture of the scene
   bool resampled = false;  ///< the picture was scaled after drawing, as far as can be seen

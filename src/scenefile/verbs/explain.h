@@ -60,7 +60,7 @@ Result<ExplainReport> explain_pixel(const LoadedScene& scene, const RenderOption
 
 /// The same for a picture of the assignment Realtime. `sample` selects a pixel of the frame; by
 /// default the one with the largest weight. Fails with ErrorKind::limit if the scene has more than
-/// max_realtime_shapes shapes.
+/// max_explained_shapes shapes.
 Result<ExplainReport> explain_realtime_pixel(const LoadedScene& scene, const RealtimeOptions& panel,
                                              const glm::ivec2& size, const glm::ivec2& pixel,
                                              std::optional<std::uint32_t> sample = {});

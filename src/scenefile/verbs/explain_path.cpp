@@ -47,7 +47,7 @@ class PathText {
                                 pixel_.options.width, pixel_.options.height));
     const auto& [red, green, blue] = pixel_.picture;
     top.add(fmt::format("{} {}, the mean of the samples before tone mapping; standard error {:.2g}",
-                        bold("color"), color({red, green, blue}), pixel_.deviation));
+                        bold("color"), color({red, green, blue}), pixel_.standard_error));
     if (around) {
       add_around(top, *around);
     }
@@ -228,11 +228,11 @@ class PathText {
       item.add("the path ends: the surface reflects nothing");
       return;
     }
-    item.add(fmt::format("{} {} along {}: {} {} / {} {:.6g} = {}", bold("continues"),
-                         word_of(v.next.lobe), vector_text(v.next.to_light),
-                         v.next.specular() ? "factor" : "BSDF times cosine",
-                         color_text(v.next.light), v.next.specular() ? "probability" : "density",
-                         v.next.density, color(v.next.weight)));
+    item.add(fmt::format(
+        "{} {} along {}: {} {} / {} {:.6g} = {}", bold("continues"), word_of(v.next.lobe),
+        vector_text(v.next.to_light), v.next.specular() ? "factor" : "BSDF times cosine",
+        color_text(v.next.bsdf_cosine), v.next.specular() ? "probability" : "density",
+        v.next.density, color(v.next.weight)));
     if (v.end == PathEnd::absorbed) {
       item.add("the path ends: no light can come from there");
     } else if (v.continuation != 1) {
@@ -260,7 +260,7 @@ class PathDocument {
     json_.add({{"x", pixel_.x},
                {"y", pixel_.y},
                {"color", pixel_.picture},
-               {"standard_error", pixel_.deviation}});
+               {"standard_error", pixel_.standard_error}});
     json_.add_objects("samples", pixel_.samples, [&](const PathSample& s) {
       json_.add(
           {{"point", s.point}, {"lens", s.lens}, {"color", s.light}, {"surfaces", s.surfaces}});
@@ -331,7 +331,7 @@ class PathDocument {
     if (v.next.lobe != BsdfLobe::none) {
       json_.add_object("next", {{"lobe", word_of(v.next.lobe)},
                                 {"direction", v.next.to_light},
-                                {"bsdf_cosine", v.next.light},
+                                {"bsdf_cosine", v.next.bsdf_cosine},
                                 {"density", v.next.density},
                                 {"weight", v.next.weight},
                                 {"continuation", v.continuation}});

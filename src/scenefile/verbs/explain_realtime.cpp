@@ -140,7 +140,7 @@ Result<ExplainReport> explain_realtime_pixel(const LoadedScene& scene, const Rea
   std::optional<RealtimePixel> found = realtime_pixel(ready, scene.assets, panel, size, pixel);
   if (!found) {
     return Error{fmt::format("pixels of scenes with more than {:.0f} shapes are not explained",
-                             max_realtime_shapes),
+                             max_explained_shapes),
                  ErrorKind::limit};
   }
   if (const auto error = no_such_sample(sample, found->shares.size())) {

@@ -40,7 +40,8 @@ Result<ClassReferences> load_references(const GradeRequest& request,
                                         const std::function<void(const char* phase)>& entering);
 
 /// A reference of another scene that the picture shows instead, nearly without a difference; null:
-/// none. A reference that is nearly of one color is not recognized: an empty picture would be it.
+/// none. A reference that is nearly of one color is not recognized: an empty picture would match
+/// it.
 const ClassReference* shown_instead(const ClassReferences& references,
                                     const ClassReference& reference, const Texture& picture);
 

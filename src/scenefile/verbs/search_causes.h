@@ -21,7 +21,8 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
 std::vector<DrawnWay> ways_of(const Texture& reference, const LoadedScene& scene,
                               const CompareSettings& settings);
 
-/// Our picture of the scene. If memory runs out, what was found so far would be another answer.
+/// Our picture of the scene. Throws std::bad_alloc if memory runs out, because a partial
+/// result could name another cause.
 RenderResult our_picture(const LoadedScene& scene, const RenderOptions& options,
                          RenderControl control = {});
 

@@ -15,7 +15,8 @@ inline constexpr Code view_codes[] = {
      "straight through glass, and the lens is a pinhole; render without --engine gl draws them."},
     {"gl.shadows-left-out", Severity::warning, "more lights than OpenGL draws shadows for",
      "There is room for 96 shadow maps: one for a directional light or a spotlight, six for a "
-     "point or area light. The remaining lights at the end of the file cast no shadows; render "
+     "point light, 24 for an area light, or six if there are many. The remaining lights at the end "
+     "of the file cast no shadows; render "
      "without --engine gl draws them all."},
 };
 

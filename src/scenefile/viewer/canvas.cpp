@@ -12,7 +12,7 @@ namespace {
 
 // If pictures take longer (in seconds) while the camera moves, they get coarser.
 constexpr double slow_picture = 0.04;
-constexpr int max_hurry = 4;
+constexpr int max_coarseness = 4;
 // At rest, each picture is better than the one before by this many steps.
 constexpr int refinement = 2;
 // For scenes with more objects, the first picture is coarse, because its time is not known yet.
@@ -66,24 +66,24 @@ int Canvas::hurry_for(const Session& session, bool moving) const {
     const bool many = count_virtual_primitives(session.shown->opened.ready.scene) > many_objects;
     return many ? first_hurry : 0;
   }
-  return moving ? moving_hurry_ : std::max(0, painted_.recipe.hurry - refinement);
+  return moving ? moving_coarseness_ : std::max(0, painted_.recipe.coarseness - refinement);
 }
 
-PaintRecipe Canvas::recipe_for(const Session& session, int hurry) const {
+PaintRecipe Canvas::recipe_for(const Session& session, int coarseness) const {
   DrawOptions options = draw_options(session);
-  if (hurry > 0) {
+  if (coarseness > 0) {
     options.samples = 1;
     options.shadows = options.shadows && shadowed_ == session.version;
   } else if (!options.course) {
     options.samples = 4;  // fast enough while the camera moves
   }
-  const int halvings = std::max(0, hurry - 1);
+  const int halvings = std::max(0, coarseness - 1);
   return {session.version,
           render_camera(session.camera),
           std::move(options),
           std::max(1, session.pixels.x >> halvings),
           std::max(1, session.pixels.y >> halvings),
-          hurry};
+          coarseness};
 }
 
 void Canvas::ask(const Session& session, PaintRecipe recipe, bool refines) {
@@ -109,7 +109,7 @@ void Canvas::finish(Session& session) {
 }
 
 bool Canvas::settled(const Session& session) const {
-  return !asked_ || shows_traced(session) || (asked_->hurry == 0 && painted_.recipe == asked_);
+  return !asked_ || shows_traced(session) || (asked_->coarseness == 0 && painted_.recipe == asked_);
 }
 
 bool Canvas::take(Session& session) {
@@ -122,14 +122,15 @@ bool Canvas::take(Session& session) {
 
 void Canvas::accept(Session& session, Painted painted) {
   const PaintRecipe& recipe = painted.recipe;
-  if (recipe.hurry == 0 && recipe.options.shadows) {
+  if (recipe.coarseness == 0 && recipe.options.shadows) {
     shadowed_ = recipe.version;
   }
   // Better pictures, drawn at rest, say little about the time of coarser ones.
-  if (recipe.version != painted_.recipe.version || recipe.hurry == moving_hurry_) {
-    moving_hurry_ = painted.seconds > slow_picture       ? std::min(recipe.hurry + 1, max_hurry)
-                    : painted.seconds < slow_picture / 8 ? std::max(recipe.hurry - 1, 0)
-                                                         : recipe.hurry;
+  if (recipe.version != painted_.recipe.version || recipe.coarseness == moving_coarseness_) {
+    moving_coarseness_ = painted.seconds > slow_picture
+                             ? std::min(recipe.coarseness + 1, max_coarseness)
+                         : painted.seconds < slow_picture / 8 ? std::max(recipe.coarseness - 1, 0)
+                                                              : recipe.coarseness;
   }
   if (recipe.version == session.version) {
     session.drawing_notes = painted.notes;

@@ -47,16 +47,16 @@ class Canvas {
 
  private:
   int hurry_for(const Session& session, bool moving) const;
-  /// `hurry`: 0 for the best picture, 1 for one sample per pixel, and each further step halves the
-  /// resolution.
-  PaintRecipe recipe_for(const Session& session, int hurry) const;
+  /// `coarseness`: 0 for the best picture, 1 for one sample per pixel, and each further step halves
+  /// the resolution.
+  PaintRecipe recipe_for(const Session& session, int coarseness) const;
   void ask(const Session& session, PaintRecipe recipe, bool refines);
   void accept(Session& session, Painted painted);
 
   std::unique_ptr<ScenePainter> painter_;
   std::optional<PaintRecipe> asked_;           ///< last
   Painted painted_;                            ///< last, without its picture
-  int moving_hurry_ = 0;                       ///< for pictures while the camera moves
+  int moving_coarseness_ = 0;                  ///< for pictures while the camera moves
   std::uint64_t painted_count_ = 0;            ///< how many pictures were painted
   std::uint64_t shadowed_ = 0;                 ///< version of the scene last drawn with shadows
   std::optional<PaintRecipe> compared_asked_;  ///< by ask_to_compare()

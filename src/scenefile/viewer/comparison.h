@@ -16,8 +16,7 @@ namespace scenefile::viewer {
 enum class Role : std::uint8_t { ours, reference, mine };
 std::string_view role_word(Role role);
 
-/// Two pictures that are compared; of the first, the other one is to have the values. Equal: there
-/// is only ours.
+/// The two pictures that are compared. If both are the same, only ours is shown.
 struct Sides {
   Role left = Role::ours;
   Role right = Role::ours;

@@ -105,7 +105,7 @@ void build_status(const Session& session, const GuiFrame& frame) {
     text += fmt::format("   zoom {:.0f} % (0: all)", 100 * session.zoom);
   }
   if (session.fitting.busy()) {
-    text += "   looking how the picture was drawn";
+    text += "   finding out how the picture was drawn";
   } else if (session.comparing.busy()) {
     text += "   comparing";
   }

@@ -100,7 +100,7 @@ Painted ScenePainter::Impl::paint(const PaintJob& job) {
     }
     painted.notes = notes;
     // Looking for interruptions takes time, and coarse pictures are soon done.
-    const bool long_work = job.refines || job.recipe.hurry == 0;
+    const bool long_work = job.refines || job.recipe.coarseness == 0;
     device->interrupt_with(long_work ? [this] { return !interrupted; } : std::function<bool()>());
     const auto start = std::chrono::steady_clock::now();
     const Result<Image> image = draw_image(*device, *drawing, job.recipe.camera, job.recipe.options,

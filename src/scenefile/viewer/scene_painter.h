@@ -34,7 +34,7 @@ struct PaintRecipe {
   DrawOptions options;
   int width = 1;
   int height = 1;
-  int hurry = 0;  ///< how coarse the picture is, for the caller
+  int coarseness = 0;  ///< how coarse the picture is, for the caller
 
   friend bool operator==(const PaintRecipe&, const PaintRecipe&) = default;
 };

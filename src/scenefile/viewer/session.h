@@ -328,9 +328,9 @@ glm::ivec2 picture_size(const Session& session);
 
 /// Sets the places of the pictures in the available space.
 void place_pictures(Session& session, const Box& room);
-/// Where all of the picture would be of which `view` shows a part.
+/// The box of the whole picture, of which the box `view` shows the visible part.
 Box whole_picture(const Session& session, const Box& view);
-/// The place of the pictures that is at a place in the window, by fractions of their size.
+/// Converts a place in the window to one in the pictures, in fractions of their size.
 glm::dvec2 place_in_picture(const Session& session, const glm::dvec2& at);
 /// Shows a `factor` times smaller part, with `at` where it is now.
 void zoom_picture(Session& session, double factor, const glm::dvec2& at);
@@ -378,7 +378,7 @@ bool wants_trace(const Session& session);
 bool traces_paths(const Session& session);
 /// Whether the ray tracer's or path tracer's picture is visible.
 bool shows_traced(const Session& session);
-/// Whether OpenGL must draw the picture. Mode path has its first picture as soon.
+/// Whether OpenGL must draw the picture. Not in mode path, whose first picture is ready as soon.
 bool needs_drawing(const Session& session);
 /// Whether nothing moves, so that longer work may start.
 bool at_rest(const Session& session);

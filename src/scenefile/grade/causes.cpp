@@ -203,6 +203,27 @@ bool is_doubtful(const Simulation& sim, const Tried& t) {
          });
 }
 
+// Whether the mistakes break many pixels, compared with those that differ. Of a mistake that
+// changes little, the points of the simulation may miss what it breaks, so others are taken.
+bool breaks_pixels(const Simulation& sim, const Pixels& pixels, const Tried& t) {
+  constexpr std::size_t max_points = 4000;
+  constexpr double much = 0.1;  // of what differs
+  std::mt19937 random(5);
+  std::vector<Point> points;
+  add_points(sim.reference, sim.test, pixels.same, max_points, false, false, random, points);
+  const Colors right = drawn_at(sim, {}, points);
+  const Colors wrong = drawn_at(sim, t.mistakes, points);
+  double broken = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto is_right = [&](const dvec3& color) {
+      return largest_of(glm::abs(glm::clamp(color, dvec3(0), dvec3(255)) - points[i].test)) <=
+             right_within;
+    };
+    broken += is_right(right[i]) && !is_right(wrong[i]) ? points[i].weight : 0;
+  }
+  return broken > much * sim.weight_that_differs(sim.points.size());
+}
+
 // Whether a rival of that cause fits by chance: a brightness often does, and in a nearly gray
 // picture exchanged channels do.
 bool is_chance(Cause rival, Cause found) {
@@ -700,6 +721,16 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
     sim.route += likelier.mistakes == found->mistakes ? "" : "+likeliest";
     found = likelier;
   }
+  if (found && found->mistakes.size() == 1 && asked == LookFor::several_at_once && sim.usable &&
+      !sim.has_noise() && !sim.stopped && breaks_pixels(sim, pixels, *found)) {
+    // A mistake in all objects may look like an edit of one of them.
+    if (const std::optional<Tried> edit = find_edited_scene(sim, {});
+        edit && shows_much(sim, *edit) && !breaks_pixels(sim, pixels, *edit)) {
+      sim.route = "edited";
+      claim(sim, *edit, {}, {}, report);
+      return;
+    }
+  }
   if (found && shows_much(sim, *found) &&
       (sure(*found) || causes_as_good(sim, *found, alone) < 3)) {
     Tried all = *found;
@@ -875,6 +906,7 @@ CauseReport look_for_causes(Simulation& sim, LookFor asked) {
     add_background(sim);
     add_zooms(sim);
     add_factors(sim);
+    add_exponents(sim);
     add_missing_objects(sim);
   }
   std::vector<Combination> likely;

@@ -1,5 +1,6 @@
 #include "scenefile/grade/fitted_mistakes.h"
 
+#include "scenefile/grade/candidates.h"
 #include "scenefile/trace/tasks.h"
 
 #include <fmt/format.h>
@@ -580,6 +581,122 @@ void add_factors(Simulation& sim) {
   }
   for (std::size_t i = 0; i < std::min<std::size_t>(lights, 8); ++i) {
     add_color_of_light(sim, i);
+  }
+}
+
+namespace {
+
+// A mistake in the exponents of highlights: all are `number`, or `number` times that of the file.
+struct Exponent {
+  bool times = false;
+  double number = 1;
+
+  void change(Trial& t) const {
+    if (!times) {
+      t.mistakes.exponent = number;
+      return;
+    }
+    for (RenderMaterial& m : t.scene.materials) {
+      m.shininess *= static_cast<float>(number);
+    }
+  }
+};
+
+// How far the changes of the right picture are from those of the reference. Truncation moves both
+// pictures by half a step, which the changes do not show.
+double left_of_changes(const Simulation& sim, const Colors& colors) {
+  const Simulation::Clean& right = sim.clean({});
+  double left = 0;
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    const Point& p = sim.points[i];
+    const dvec3 change = glm::min(colors[i], 255.0) - glm::min(right.drawn[i], 255.0);
+    left += p.weight * largest_of(glm::abs(change - (p.test - right.reference[i])));
+  }
+  return left;
+}
+
+Colors drawn_with(const Simulation& sim, const Exponent& e, std::size_t count) {
+  Trial trial = sim.right_trial(false);
+  e.change(trial);
+  return sim.draw(trial, *sim.shapes, sim.points, count, Turn(), &sim.clean({}).hits);
+}
+
+// Whether most of the points that differ show the exponents.
+bool show_exponents(const Simulation& sim, const Exponent& file, std::size_t count) {
+  const Colors larger = drawn_with(sim, {file.times, 2 * file.number}, count);
+  const Colors smaller = drawn_with(sim, {file.times, file.number / 2}, count);
+  double all = 0;
+  double shown = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double weight = sim.points[i].differs ? sim.points[i].weight : 0;
+    all += weight;
+    shown += largest_of(glm::abs(larger[i] - smaller[i])) > tolerance ? weight : 0;
+  }
+  return shown > 0.5 * all;
+}
+
+// The exponent that leaves the least difference.
+Exponent fitted_exponent(const Simulation& sim, const Exponent& file, std::size_t count) {
+  Exponent best = file;
+  double least = infinity;
+  const auto try_exponent = [&](double number) {
+    const Exponent e{file.times, number};
+    if (const double left = left_of_changes(sim, drawn_with(sim, e, count)); left < least) {
+      least = left;
+      best = e;
+    }
+  };
+  for (double times = 1.0 / 16; times <= 16; times *= 2) {
+    try_exponent(file.number * times);
+  }
+  for (const double step : {0.4, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005}) {
+    const double middle = best.number;
+    try_exponent(middle * std::exp(step));
+    try_exponent(middle * std::exp(-step));
+  }
+  return best;
+}
+
+}  // namespace
+
+void add_exponents(Simulation& sim) {
+  constexpr std::array known_factors{0.25, 0.5, 1.0, 2.0, 4.0};  // which have their own words
+  constexpr double as_known = 0.02;
+  std::set<float> written;
+  for (const RenderMaterial& m : sim.view->scene->materials) {
+    if (m.shininess > 0 && m.specular != glm::vec3(0)) {
+      written.insert(m.shininess);
+    }
+  }
+  const std::size_t count = std::min<std::size_t>(sim.points.size(), screen);
+  for (const bool times : {false, true}) {
+    // With one exponent in the file, a factor gives the same picture as a number.
+    if (written.empty() || (times && written.size() == 1)) {
+      continue;
+    }
+    const Exponent file{times, times ? 1 : *written.begin()};
+    if (!show_exponents(sim, file, count)) {
+      continue;
+    }
+    const Exponent e = fitted_exponent(sim, file, count);
+    const double factor = e.number / file.number;
+    if (std::any_of(known_factors.begin(), known_factors.end(),
+                    [&](double k) { return std::abs(factor / k - 1) <= as_known; })) {
+      continue;
+    }
+    const double shown = e.number >= 10 ? std::round(e.number) : e.number;
+    sim.list.push_back(
+        {Cause::specular,
+         e.times
+             ? fmt::format("the exponents of highlights are {:.2g} times those of the file", shown)
+         : written.size() == 1
+             ? fmt::format("the exponent of highlights is about {:.3g}, but in the file it is {:g}",
+                           shown, *written.begin())
+             : fmt::format("the exponent of highlights is always about {:.3g}", shown),
+         Stage::shading,
+         [e](Trial& t) { e.change(t); },
+         {},
+         {}});
   }
 }
 

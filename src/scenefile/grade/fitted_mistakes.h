@@ -27,6 +27,8 @@ void add_zooms(Simulation& sim);
 void add_background(Simulation& sim);
 /// Terms and lights that are too bright or too dark by a factor, estimated from the pictures.
 void add_factors(Simulation& sim);
+/// Exponents of highlights, where a known mistake in them explains a part. Needs the cache.
+void add_exponents(Simulation& sim);
 /// Objects of the file that are not drawn.
 void add_missing_objects(Simulation& sim);
 

@@ -6,18 +6,10 @@ PATHs are scenes and folders of scenes; a missing file is tested too. Exit code 
 the Python package jsonschema is missing.
 """
 
-import copy
-import json
 import pathlib
-import subprocess
 import sys
 
-try:
-    import jsonschema
-except ImportError:
-    sys.exit(77)
-
-SCHEMA = pathlib.Path(__file__).resolve().parent.parent.parent / "schema" / "check.schema.json"
+from answer_schemas import answer, changed, complaints
 
 
 def scenes(paths):
@@ -27,23 +19,16 @@ def scenes(paths):
     yield "no such file.xml"
 
 
-def answer(program, arguments):
-    run = subprocess.run([program, "check", "--json", *arguments], capture_output=True, check=False)
-    return json.loads(run.stdout)
-
-
 def failures(program):
     """Answers of runs that fail as a whole."""
-    yield answer(program, [])
-    yield answer(program, ["--no-such-option", "scene.xml"])
+    yield answer(program, "check")
+    yield answer(program, "check", "--no-such-option", "scene.xml")
 
 
 def broken(document):
     """Changes that the schema must reject."""
     def change(edit):
-        other = copy.deepcopy(document)
-        edit(other)
-        return other
+        return changed(document, edit)
     finding = next(f for s in document["scenes"] for f in s["findings"] if "line" in f)
     scene = next(i for i, s in enumerate(document["scenes"]) if finding in s["findings"])
     def first(d):
@@ -60,19 +45,13 @@ def broken(document):
 
 
 def main(program, paths):
-    schema = json.loads(SCHEMA.read_text(encoding="utf-8"))
-    jsonschema.Draft7Validator.check_schema(schema)
-    validator = jsonschema.Draft7Validator(schema)
-    document = answer(program, list(scenes(paths)))
-    complaints = [f"{'/'.join(map(str, e.path))}: {e.message[:200]}"
-                  for d in (document, *failures(program)) for e in validator.iter_errors(d)]
-    complaints += [f"broken answer {i} is accepted" for i, d in enumerate(broken(document))
-                   if validator.is_valid(d)]
+    document = answer(program, "check", *scenes(paths))
+    found = complaints("check", [document, *failures(program)], broken(document))
     verdicts = {s["verdict"] for s in document["scenes"]}
     if verdicts != {"fine", "warnings", "errors", "unreadable"}:
-        complaints.append(f"only {verdicts} were tried")
-    print("\n".join(complaints) or f"{len(document['scenes'])} scenes")
-    return 1 if complaints else 0
+        found.append(f"only {verdicts} were tried")
+    print("\n".join(found) or f"{len(document['scenes'])} scenes")
+    return 1 if found else 0
 
 
 sys.exit(main(sys.argv[1], sys.argv[2:]))

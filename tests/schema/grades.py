@@ -5,22 +5,15 @@
 SCENE: what the reference shows. Exit code 77: skipped, because the Python package jsonschema is missing.
 """
 
-import copy
-import json
 import pathlib
 import subprocess
 import sys
 import tempfile
 
-try:
-    import jsonschema
-except ImportError:
-    sys.exit(77)
-
-SCHEMA = pathlib.Path(__file__).resolve().parent.parent.parent / "schema" / "grade.schema.json"
+from answer_schemas import answer, changed, complaints
 
 
-def answer(program, scene, folder):
+def class_answer(program, scene, folder):
     """Grades a class with every verdict, and with ignored files."""
     def draw(name, *more):
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
@@ -54,17 +47,13 @@ def path_answer(program, scene, folder):
 
 
 def grade(program, folder, references, *more):
-    run = subprocess.run([program, "grade", folder, "--references", references, "--json", *more], capture_output=True,
-                         check=False)
-    return json.loads(run.stdout)
+    return answer(program, "grade", folder, "--references", references, *more)
 
 
 def broken(document):
     """Changes that the schema must reject."""
     def change(edit):
-        other = copy.deepcopy(document)
-        edit(other)
-        return other
+        return changed(document, edit)
     yield change(lambda d: d.pop("ignored"))
     yield change(lambda d: d.update(error="none"))
     yield change(lambda d: d["ignored"][0].pop("reason"))
@@ -73,29 +62,24 @@ def broken(document):
     yield change(lambda d: d["students"][0].update(passed=True))
     yield change(lambda d: d["students"][0]["pictures"][0].update(verdict="good"))
     yield change(lambda d: d["students"][0]["pictures"][0].pop("psnr_db"))
+    yield change(lambda d: d["students"][0]["pictures"][0].pop("linear"))
     yield change(lambda d: d["students"][0]["pictures"][0].update(verdict="missing"))
     yield change(lambda d: d["students"][0]["pictures"][0].update(linear="no"))
 
 
 def main(program, scene):
-    schema = json.loads(SCHEMA.read_text(encoding="utf-8"))
-    jsonschema.Draft7Validator.check_schema(schema)
-    validator = jsonschema.Draft7Validator(schema)
     with tempfile.TemporaryDirectory() as folder:
-        document = answer(program, scene, pathlib.Path(folder))
+        document = class_answer(program, scene, pathlib.Path(folder))
         paths = path_answer(program, pathlib.Path(scene).resolve().parent / "studio.xml", pathlib.Path(folder))
         failures = [grade(program, "no such folder", folder), grade(program, folder, "no such folder")]
-    complaints = [f"{'/'.join(map(str, e.path))}: {e.message[:200]}"
-                  for d in (document, paths, *failures) for e in validator.iter_errors(d)]
-    complaints += [f"broken answer {i} is accepted" for i, d in enumerate(broken(document))
-                   if validator.is_valid(d)]
+    found = complaints("grade", [document, paths, *failures], broken(document))
     if [p.get("path_traced") for s in paths.get("students", ()) for p in s["pictures"]] != [True] * 3:
-        complaints.append(f"path-traced pictures: {paths}")
+        found.append(f"path-traced pictures: {paths}")
     verdicts = {p["verdict"] for s in document["students"] for p in s["pictures"]}
     if verdicts != {"passed", "differs", "missing", "unreadable"} or len(document["ignored"]) != 3:
-        complaints.append(f"only {verdicts} and {document['ignored']} were tried")
-    print("\n".join(complaints) or f"{len(document['students'])} students")
-    return 1 if complaints else 0
+        found.append(f"only {verdicts} and {document['ignored']} were tried")
+    print("\n".join(found) or f"{len(document['students'])} students")
+    return 1 if found else 0
 
 
 sys.exit(main(sys.argv[1], sys.argv[2]))

@@ -232,8 +232,15 @@ void add_shifts(HypothesisList& list) {
         fmt::format("rays go through the {} of pixels, not their centers", where),
         [by = shift](Trial& t) { t.shift = by; }, Stage::camera);
   }
-  static constexpr std::array<std::pair<glm::dvec2, const char*>, 4> neighbors{
-      {{{1, 0}, "left"}, {{-1, 0}, "right"}, {{0, 1}, "up"}, {{0, -1}, "down"}}};
+  static constexpr std::array<std::pair<glm::dvec2, const char*>, 8> neighbors{
+      {{{1, 0}, "left"},
+       {{-1, 0}, "right"},
+       {{0, 1}, "up"},
+       {{0, -1}, "down"},
+       {{1, 1}, "left and up"},
+       {{-1, 1}, "right and up"},
+       {{1, -1}, "left and down"},
+       {{-1, -1}, "right and down"}}};
   for (const auto& [shift, where] : neighbors) {
     list.add(
         Cause::half_pixel_shift,

@@ -428,6 +428,7 @@ Effect effect_of(const Simulation& sim, const Colors& with, const Colors& withou
     e.differing_right += p.differs ? now : 0;
     e.gained_all += gain;
     if (largest_of(glm::abs(a - b)) > right_within) {
+      ++e.points;
       e.changed += p.weight;
       e.right += now;
       e.within_rounding +=

@@ -60,9 +60,10 @@ struct WrongAndRight {
 WrongAndRight wrong_and_right(const Simulation& sim, const Combination& mistakes);
 /// The correlation between the colors of the first points and those of the test.
 double likeness(const Simulation& sim, const Colors& colors);
-/// The effect of a change of the colors, as sums of the weights of points.
+/// The effect of a change of the colors.
 struct Effect {
-  double changed = 0;          ///< points that change visibly
+  std::size_t points = 0;      ///< that change visibly; the other members are weights
+  double changed = 0;          ///< of points that change visibly
   double right = 0;            ///< of those: right with the change
   double within_rounding = 0;  ///< of those: differing by no more than rounding
   double gained = 0;           ///< right with the change, minus right without it

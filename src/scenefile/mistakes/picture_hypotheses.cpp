@@ -99,13 +99,13 @@ void add_brightness(Hypotheses& list) {
   }
 }
 
+// Values keep their fractions: truncating them here would explain a curve after truncation.
 void add_overflow(Hypotheses& list) {
   add_picture(list, Cause::overflow, "values over 1 wrap around to dark: they are not clamped",
               [](const dvec3& color) {
                 dvec3 c;
                 for (int i = 0; i < 3; ++i) {
-                  const double whole = std::floor(255 * std::max(color[i], 0.0));
-                  c[i] = (whole - 256 * std::floor(whole / 256)) / 255;
+                  c[i] = std::fmod(255 * std::max(color[i], 0.0), 256) / 255;
                 }
                 return c;
               });
@@ -114,8 +114,7 @@ void add_overflow(Hypotheses& list) {
               [](const dvec3& color) {
                 dvec3 c;
                 for (int i = 0; i < 3; ++i) {
-                  const double whole = std::floor(256 * std::max(color[i], 0.0));
-                  c[i] = (whole - 256 * std::floor(whole / 256)) / 255;
+                  c[i] = std::fmod(256 * std::max(color[i], 0.0), 256) / 255;
                 }
                 return c;
               });

@@ -1105,7 +1105,11 @@ std::vector<AlikeView> alike(const Texture& reference, std::span<const SceneView
 CauseReport find_causes(const Texture& reference, const Texture& test, const SceneView* view,
                         const std::function<bool(double done)>& go_on, LookFor look_for) {
   if (reference.width != test.width || reference.height != test.height || reference.empty()) {
-    return {};
+    CauseReport report;
+    if (std::optional<Claim> turned = find_turned(reference, test)) {
+      report.claims.push_back(*std::move(turned));
+    }
+    return report;
   }
   const ThreadLimit limit(view != nullptr ? view->options.threads : 0);
   const bool several = view != nullptr && look_for == LookFor::several_at_once;

@@ -64,7 +64,8 @@ enum class LookFor : std::uint8_t { single_mistakes, several_at_once };
 
 /// Looks for mistakes by simulating each one, in a model of a student's ray tracer, at a few
 /// thousand pixels. Calls `go_on` occasionally with the finished fraction of the work in [0, 1]; if
-/// it returns false, stops with the claims so far. No claims if the sizes differ.
+/// it returns false, stops with the claims so far. If the sizes differ, claims only that the
+/// picture is turned by a quarter turn.
 CauseReport find_causes(const Texture& reference, const Texture& test,
                         const SceneView* view = nullptr,
                         const std::function<bool(double done)>& go_on = {},

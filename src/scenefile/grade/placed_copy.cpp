@@ -144,6 +144,20 @@ const char* corner_word(bool right, bool low) {
   return low ? (right ? "lower right" : "lower left") : (right ? "upper right" : "upper left");
 }
 
+// By a quarter turn or transposed, with the pixel of the reference for one of the test.
+std::array<std::pair<const char*, Copy>, 3> turns_of(const Texture& reference) {
+  const auto at_or_black = [&reference](int x, int y) {
+    const bool inside = x >= 0 && y >= 0 && x < reference.width && y < reference.height;
+    return inside ? at(reference, x, y) : dvec3(0);
+  };
+  return {{{"rows and columns are exchanged: the picture is transposed",
+            [=](int x, int y) { return at_or_black(y, x); }},
+           {"the picture is rotated by a quarter turn, clockwise",
+            [=, &reference](int x, int y) { return at_or_black(y, reference.height - 1 - x); }},
+           {"the picture is rotated by a quarter turn, counterclockwise",
+            [=, &reference](int x, int y) { return at_or_black(reference.width - 1 - y, x); }}}};
+}
+
 // Pixels that are stored in another order.
 std::optional<PlacedCopy> find_order(const Texture& reference, const Texture& test) {
   const int width = test.width;
@@ -157,17 +171,15 @@ std::optional<PlacedCopy> find_order(const Texture& reference, const Texture& te
   const auto rows_of = [&](int length) {
     return [=](int x, int y) { return at_or_black(place(x, y) % length, place(x, y) / length); };
   };
+  const auto [transposed, clockwise, counterclockwise] = turns_of(reference);
   const std::array<std::pair<const char*, Copy>, 8> orders{
-      {{"rows and columns are exchanged: the picture is transposed",
-        [=](int x, int y) { return at_or_black(y, x); }},
+      {transposed,
        {"rows and columns are exchanged and scaled to the size of the picture",
         [=](int x, int y) {
           return at_or_black(int((y + 0.5) * width / height), int((x + 0.5) * height / width));
         }},
-       {"the picture is rotated by a quarter turn, clockwise",
-        [=](int x, int y) { return at_or_black(y, height - 1 - x); }},
-       {"the picture is rotated by a quarter turn, counterclockwise",
-        [=](int x, int y) { return at_or_black(width - 1 - y, x); }},
+       clockwise,
+       counterclockwise,
        {stored_by_columns,
         [=](int x, int y) { return at_or_black(place(x, y) / height, place(x, y) % height); }},
        {read_by_columns,
@@ -225,6 +237,32 @@ std::optional<PlacedCopy> find_shift_of_copy(const Texture& reference, const Tex
 }
 
 }  // namespace
+
+std::optional<Claim> find_turned(const Texture& reference, const Texture& test) {
+  if (test.width != reference.height || test.height != reference.width) {
+    return std::nullopt;
+  }
+  std::optional<Claim> found;
+  for (const auto& [what, color_at] : turns_of(reference)) {
+    Share right;
+    for (int y = 0; y < test.height; ++y) {
+      for (int x = 0; x < test.width; ++x) {
+        const dvec3 copy = color_at(x, y);
+        const dvec3 color = at(test, x, y);
+        if (largest_of(copy) > right_within || largest_of(color) > right_within) {
+          right.add(largest_of(glm::abs(copy - color)) <= exact_within);
+        }
+      }
+    }
+    if (right.all >= 4 * few_pixels && right.value() >= nearly_all_of_copy) {
+      if (found) {
+        return std::nullopt;  // such as a plain color, which fits every turn
+      }
+      found = placed_copy(what, color_at).claim;
+    }
+  }
+  return found;
+}
 
 std::optional<PlacedCopy> find_placed_copy(const Texture& reference, const Texture& test,
                                            const std::vector<std::uint32_t>& different) {

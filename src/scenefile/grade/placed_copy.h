@@ -25,6 +25,10 @@ inline constexpr const char* stored_by_columns =
     "pixels are stored column by column, not row by row";
 inline constexpr const char* read_by_columns = "pixels are read column by column, not row by row";
 
+/// Whether the test picture, whose width is the reference's height, is the reference turned by a
+/// quarter turn, or transposed.
+std::optional<Claim> find_turned(const Texture& reference, const Texture& test);
+
 /// Whether the test picture is a copy of the reference, scaled or shifted; not for pictures that
 /// are scaled about their center, which a camera can do. `different`: Pixels::different. The result
 /// must not outlive the reference.

@@ -113,7 +113,10 @@ PictureComparison compare(const Texture& given, const Texture& test, const Image
   };
   const bool wanted = !found.broken.empty() ||
                       (settings.look == LookForCauses::always && found.measures.difference.max > 0);
-  if (wanted && found.measures.same_size && !found.equal_in_8_bits) {
+  if (found.other_size()) {
+    found.causes = find_causes(given, test, nullptr);
+  }
+  if (wanted && found.causes.claims.empty() && found.measures.same_size && !found.equal_in_8_bits) {
     if (ways.empty() && drawable != nullptr) {
       ways = ways_of(given, *scene, settings);
     }

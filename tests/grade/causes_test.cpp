@@ -352,6 +352,84 @@ TEST(Causes, CopiesAtAnotherPlace) {
   }
 }
 
+TEST(Causes, QuarterTurnsOfWidePictures) {
+  const GeneratedScene scene(1);
+  const Texture reference = reference_of(scene, false);
+  const auto turned = [&](const std::function<glm::ivec2(int x, int y)>& from) {
+    Texture t;
+    t.width = reference.height;
+    t.height = reference.width;
+    for (int y = 0; y < t.height; ++y) {
+      for (int x = 0; x < t.width; ++x) {
+        const glm::ivec2 p = from(x, y);
+        const std::uint8_t* texel = reference.texel(p.x, p.y);
+        t.rgb.insert(t.rgb.end(), texel, texel + 3);
+      }
+    }
+    return find_causes(reference, t, nullptr);
+  };
+  const CauseReport transposed = turned([](int x, int y) { return glm::ivec2(y, x); });
+  ASSERT_EQ(transposed.claims.size(), 1u);
+  EXPECT_NE(transposed.claims.front().what.find("transposed"), std::string::npos);
+  const CauseReport clockwise = turned([](int x, int y) { return glm::ivec2(y, height - 1 - x); });
+  ASSERT_EQ(clockwise.claims.size(), 1u);
+  EXPECT_TRUE(clockwise.claims.front().what.ends_with(", clockwise"));
+  const CauseReport other = turned([](int x, int y) { return glm::ivec2(x, y % height); });
+  EXPECT_TRUE(other.claims.empty()) << said(other);
+}
+
+TEST(Causes, DiagonalShiftsByOnePixel) {
+  const GeneratedScene scene(2);
+  const SceneView view = view_of(scene);
+  const Texture shifted =
+      moved([](const glm::ivec2& p) { return p - glm::ivec2(1, 1); })(scene.drawn_by_student({}));
+  const CauseReport report = find_causes(reference_of(scene, true), shifted, &view);
+  ASSERT_EQ(report.claims.size(), 1u) << said(report);
+  EXPECT_EQ(report.claims.front().what,
+            "the picture is shifted by one pixel (right and down): rows or columns are counted "
+            "from 1")
+      << said(report);
+}
+
+TEST(Causes, WrappedValuesKeepTheirFractions) {
+  std::size_t found = 0;
+  for (const Hypothesis& h : picture_hypotheses()) {
+    if (h.what == "values over 1 wrap around to dark: they are not clamped") {
+      ++found;
+      EXPECT_NEAR(h.color(glm::dvec3(0.7031)).x, 0.7031, 1e-9);
+      EXPECT_NEAR(h.color(glm::dvec3(257.5 / 255)).x, 1.5 / 255, 1e-9);
+    }
+  }
+  EXPECT_EQ(found, 1u);
+}
+
+TEST(Causes, ExponentsAreFitted) {
+  // Of all materials `before`, or those of the scene; and in the test `after`, or so many times.
+  const auto with_exponents = [](std::optional<float> before, const std::optional<float>& after) {
+    const auto shiny = [](const std::optional<float>& all, float times) {
+      GeneratedScene scene(1);
+      for (RenderMaterial& m : scene.builder.scene.materials) {
+        m.specular = glm::vec3(0.8f);
+        m.shininess = times * all.value_or(m.shininess);
+      }
+      return scene;
+    };
+    const GeneratedScene scene = shiny(before, 1);
+    const GeneratedScene changed = after ? shiny(after, 1) : shiny(before, 3);
+    const SceneView view = view_of(scene);
+    return find_causes(reference_of(scene, false), changed.drawn_by_student({}), &view);
+  };
+  const CauseReport times = with_exponents({}, {});
+  ASSERT_EQ(times.claims.size(), 1u) << said(times);
+  EXPECT_EQ(times.claims.front().what, "the exponents of highlights are 3 times those of the file")
+      << said(times);
+  const CauseReport number = with_exponents(15, 37);
+  ASSERT_EQ(number.claims.size(), 1u) << said(number);
+  EXPECT_EQ(number.claims.front().what,
+            "the exponent of highlights is about 37, but in the file it is 15")
+      << said(number);
+}
+
 TEST(Causes, AZoomIsFitted) {
   const GeneratedScene scene(1);
   const SceneView view = view_of(scene);
@@ -853,6 +931,8 @@ TEST(Causes, OneEditedValueOfTheScene) {
        [&](Scene& s) {
          object(s, 2).primitives[0].material.diffuse = {0.1f, 0.9f, 0.2f};
        }},
+      {"the shininess of the sphere",
+       [&](Scene& s) { object(s, 2).primitives[0].material.shininess *= 2.6f; }},
       {"the blend of the cylinder",
        [&](Scene& s) { object(s, 3).primitives[0].material.blend = 1; }},
       {"the translation of an object",

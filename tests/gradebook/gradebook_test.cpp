@@ -250,6 +250,20 @@ TEST(Gradebook, CausesAreCountedForAStudentAndTheClass) {
             HasSubstr("In</span> <a href=#p1-0>ball</a>, <a href=#p1-1>")));
 }
 
+TEST(Gradebook, APictureWithTwoClaimsOfACauseCountsOnce) {
+  Gradebook book = two_students();
+  std::vector<Claim>& causes = book.students[1].pictures[1].causes;
+  causes.push_back(causes[0]);
+  causes[1].what = "shadows are gray";
+  EXPECT_EQ(count_causes(book.students)[0].pictures, 1u);
+  const std::string html = gradebook_html(book, "t");
+  EXPECT_THAT(html, AllOf(HasSubstr("<span>There are no shadows <small>· 1 picture</small></span>"),
+                          HasSubstr("<b>Shadows are gray</b>")));
+  EXPECT_THAT(gradebook_csv(book),
+              HasSubstr(",\"shadows\",\"there are no shadows; shadows are gray"));
+  EXPECT_THAT(gradescope_json(book.students[1]), HasSubstr("\"tags\": [\"shadows\"]"));
+}
+
 TEST(Gradebook, TheSummaryCountsStudentsAndPictures) {
   EXPECT_THAT(gradebook_html(two_students(), "t"),
               AllOf(HasSubstr("<b>1 of 2 students</b> passed everything; <b>1</b> needs"),

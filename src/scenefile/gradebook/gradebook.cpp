@@ -62,6 +62,16 @@ bool Gradebook::all_passed() const {
   });
 }
 
+std::vector<Cause> distinct_causes(const PictureResult& picture) {
+  std::vector<Cause> causes;
+  for (const Claim& claim : picture.causes) {
+    if (std::find(causes.begin(), causes.end(), claim.cause) == causes.end()) {
+      causes.push_back(claim.cause);
+    }
+  }
+  return causes;
+}
+
 std::vector<CauseCount> count_causes(std::span<const StudentResult> students) {
   std::array<CauseCount, cause_count> counts;
   for (std::size_t i = 0; i < counts.size(); ++i) {
@@ -70,13 +80,9 @@ std::vector<CauseCount> count_causes(std::span<const StudentResult> students) {
   for (const StudentResult& student : students) {
     std::array<bool, cause_count> of_student{};
     for (const PictureResult& picture : student.pictures) {
-      std::array<bool, cause_count> of_picture{};
-      for (const Claim& claim : picture.causes) {
-        of_picture[static_cast<std::size_t>(claim.cause)] = true;
-      }
-      for (std::size_t i = 0; i < counts.size(); ++i) {
-        counts[i].pictures += of_picture[i] ? 1 : 0;
-        of_student[i] = of_student[i] || of_picture[i];
+      for (const Cause cause : distinct_causes(picture)) {
+        ++counts[static_cast<std::size_t>(cause)].pictures;
+        of_student[static_cast<std::size_t>(cause)] = true;
       }
     }
     for (std::size_t i = 0; i < counts.size(); ++i) {

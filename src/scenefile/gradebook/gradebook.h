@@ -87,6 +87,9 @@ std::vector<std::string> ignored_lines(const Gradebook& book, std::string_view s
 /// ignored files, and a summary line. Escaped for terminals.
 std::string gradebook_text(const Gradebook& book);
 
+/// The causes of a picture, each once: several claims may have the same cause.
+std::vector<Cause> distinct_causes(const PictureResult& picture);
+
 /// How many pictures a cause explains.
 struct CauseCount {
   Cause cause = Cause::rounding;

@@ -23,9 +23,11 @@ std::string field(std::string_view text) {
 
 std::string row(const StudentResult& student, const PictureResult& picture) {
   std::string causes;
+  for (const Cause cause : distinct_causes(picture)) {
+    causes += fmt::format("{}{}", causes.empty() ? "" : " ", name_of(cause));
+  }
   std::string words;
   for (const Claim& claim : picture.causes) {
-    causes += fmt::format("{}{}", causes.empty() ? "" : " ", name_of(claim.cause));
     words += (words.empty() ? "" : "; ") + claim.what;
   }
   std::string reasons;

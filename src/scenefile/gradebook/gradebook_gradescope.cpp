@@ -58,8 +58,8 @@ std::string gradescope_json(const StudentResult& student) {
     const PictureResult& picture = student.pictures[i];
     const bool passed = picture.verdict == Verdict::passed;
     std::string tags;
-    for (const Claim& claim : picture.causes) {
-      tags += fmt::format("{}\"{}\"", tags.empty() ? "" : ", ", name_of(claim.cause));
+    for (const Cause cause : distinct_causes(picture)) {
+      tags += fmt::format("{}\"{}\"", tags.empty() ? "" : ", ", name_of(cause));
     }
     json += fmt::format(
         "{}\n    {{\"name\": {}, \"number\": \"{}\", \"score\": {}, \"max_score\": 1, \"status\": "

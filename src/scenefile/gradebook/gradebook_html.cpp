@@ -62,8 +62,8 @@ struct Mistake {
     std::vector<std::string> instead;  // what gives all these pictures, too
     std::vector<std::size_t> pictures;
   };
-  std::vector<Shown> shown;  // in different words
-  std::size_t pictures = 0;
+  std::vector<Shown> shown;           // in different words
+  std::vector<std::size_t> pictures;  // each once
 };
 
 using ClaimsOf = std::vector<Claim> PictureResult::*;
@@ -79,7 +79,7 @@ std::vector<Mistake> mistakes_of(const StudentResult& student, ClaimsOf claims) 
       auto mistake = std::find_if(mistakes.begin(), mistakes.end(),
                                   [&](const Mistake& m) { return m.cause == claim.cause; });
       if (mistake == mistakes.end()) {
-        mistake = mistakes.insert(mistakes.end(), Mistake{claim.cause, {}, 0});
+        mistake = mistakes.insert(mistakes.end(), Mistake{claim.cause, {}, {}});
       }
       std::vector<std::string> instead = claim.alternatives;
       const std::string what = instead.empty() ? claim.what : instead.front();
@@ -93,9 +93,10 @@ std::vector<Mistake> mistakes_of(const StudentResult& student, ClaimsOf claims) 
           return std::find(instead.begin(), instead.end(), other) == instead.end();
         });
       }
-      if (shown->pictures.empty() || shown->pictures.back() != p) {
-        shown->pictures.push_back(p);
-        ++mistake->pictures;
+      for (std::vector<std::size_t>* const pictures : {&shown->pictures, &mistake->pictures}) {
+        if (pictures->empty() || pictures->back() != p) {
+          pictures->push_back(p);
+        }
       }
     }
   }
@@ -104,8 +105,9 @@ std::vector<Mistake> mistakes_of(const StudentResult& student, ClaimsOf claims) 
       return a.pictures.size() > b.pictures.size();
     });
   }
-  std::stable_sort(mistakes.begin(), mistakes.end(),
-                   [](const Mistake& a, const Mistake& b) { return a.pictures > b.pictures; });
+  std::stable_sort(mistakes.begin(), mistakes.end(), [](const Mistake& a, const Mistake& b) {
+    return a.pictures.size() > b.pictures.size();
+  });
   return mistakes;
 }
 
@@ -130,7 +132,7 @@ std::string mistakes_cell(const StudentResult& student) {
   std::string html;
   for (std::size_t i = 0; i < std::min(max_listed, mistakes.size()); ++i) {
     html += fmt::format("<span>{} <small>· {}</small></span>", short_sentence(mistakes[i]),
-                        counted(mistakes[i].pictures, "picture"));
+                        counted(mistakes[i].pictures.size(), "picture"));
   }
   return mistakes.size() <= max_listed
              ? html

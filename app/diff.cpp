@@ -81,7 +81,7 @@ std::string remarks_text(const LoadedPicture& a, const LoadedPicture& b) {
 }
 
 std::string measures_text(const PictureMeasures& m, int threshold) {
-  if (!m.same_size) {
+  if (!m.comparable) {
     return {};
   }
   return fmt::format(
@@ -130,7 +130,7 @@ std::string for_terminal(const std::string& text) {
 }
 
 std::string verdict_text(const PictureComparison& found, const Options& options) {
-  if (found.measures.difference.max == 0 && found.measures.same_size && !found.other_size()) {
+  if (found.measures.difference.max == 0 && found.measures.comparable && !found.other_size()) {
     return "equal\n";
   }
   std::string text;

@@ -85,7 +85,7 @@ Result<PictureComparison> compare_whole(Options& options, LoadedPicture& referen
   PictureComparison found = compare_loaded(reference, mine, &scene, options, context,
                                            glm::ivec2(options.pixel->x, options.pixel->y));
   if (!found.asked) {
-    return Error{found.measures.same_size
+    return Error{found.measures.comparable
                      ? fmt::format("--pixel: {},{} is outside of the part of {} that shows the "
                                    "scene: {}",
                                    options.pixel->x, options.pixel->y, quoted(options.mine, 400),

@@ -106,7 +106,7 @@ viewer::CauseAnswer find_cause(const viewer::CauseQuestion& question, const Opti
   round_alike(reference, mine);
   const PictureComparison found =
       compare_pictures(reference, mine, &scene, settings, [&](double) { return go_on(); });
-  if (found.measures.same_size && !found.other_size() && found.measures.difference.max == 0) {
+  if (found.measures.comparable && !found.other_size() && found.measures.difference.max == 0) {
     return {"equal\n"};
   }
   return {causes_text(found) + where_text(found), shows_nothing(found)};

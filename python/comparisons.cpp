@@ -163,7 +163,7 @@ void bind_measures(Class& c, Get get) {
       .def_property_readonly("linear", [get](const Owner& o) { return get(o).linear; })
       .def_property_readonly("ssim", [get](const Owner& o) { return get(o).ssim; })
       .def_property_readonly("flip", [get](const Owner& o) { return get(o).flip_mean; })
-      .def_property_readonly("same_size", [get](const Owner& o) { return get(o).same_size; });
+      .def_property_readonly("same_size", [get](const Owner& o) { return get(o).same_size(); });
 }
 
 void bind_gradebook(py::module_& m) {
@@ -233,7 +233,7 @@ void bind_gradebook(py::module_& m) {
 std::string text_of(const Comparison& c) {
   const PictureMeasures& m = c.found.measures;
   std::string text;
-  if (m.same_size) {
+  if (m.comparable) {
     text = fmt::format("PSNR {:.2f} dB, mean difference {:.3f}/255, SSIM {:.4f}, FLIP {:.4f}\n",
                        m.difference.psnr_db, m.difference.mean, m.ssim, m.flip_mean);
   }

@@ -355,6 +355,8 @@ TEST_F(DiffImages, OtherSizesAndFiles) {
               AllOf(HasSubstr("64x48 and 32x24"),
                     HasSubstr("the size is 32x24, expected 64x48; compared after scaling"),
                     HasSubstr("PSNR ")));
+  EXPECT_FALSE(
+      parse_json(program({"diff", "right.png", "small.png", "--json"}).out)["same_size"].GetBool());
   const ProgramRun cause =
       program({"diff", "small.png", "wrong.png", "--scene", "ball.xml", "--heatmap", "map.png"});
   EXPECT_THAT(
@@ -654,7 +656,7 @@ TEST_F(Grade, MapsAndAllReports) {
       program({"grade", "mine", "--references", "right", "--map", "names.csv", "--csv", "a.csv",
                "--gradescope", "results.json", "--pages", "pages"});
   EXPECT_EQ(run.status, 0) << run.out << run.err;
-  EXPECT_THAT(folder.read("a.csv"), HasSubstr("\"mine\",\"ball\",passed,99.00"));
+  EXPECT_THAT(folder.read("a.csv"), HasSubstr("\"mine\",\"ball\",passed,64x48,64x48,99.00"));
   EXPECT_THAT(folder.read("pages/mine.html"),
               AllOf(HasSubstr("<bdi>mine</bdi>"), HasSubstr("<b>1 of 1 picture</b> passed")));
   const rapidjson::Document results = parse_json(folder.read("results.json"));
@@ -819,6 +821,12 @@ TEST_F(Grade, AnotherSizeIsScaledAndReported) {
   const ProgramRun run = program({"grade", "mine", "--references", "right"});
   EXPECT_EQ(run.status, 1);
   EXPECT_THAT(run.out, HasSubstr("the size is 32x24, expected 64x48; compared after scaling"));
+  const rapidjson::Document document =
+      parse_json(program({"grade", "mine", "--references", "right", "--json"}).out);
+  const rapidjson::Value& picture = document["students"][0]["pictures"][0];
+  EXPECT_FALSE(picture["same_size"].GetBool());
+  EXPECT_EQ(picture["size"]["width"].GetInt(), 32);
+  EXPECT_EQ(picture["expected_size"]["height"].GetInt(), 48);
 }
 
 TEST_F(Grade, PicturesThatMatchNothingAreListed) {

@@ -14,7 +14,7 @@ using ::testing::IsEmpty;
 TEST(Measure, EqualPictures) {
   std::vector<float> errors;
   const PictureMeasures m = measure(pattern(20, 10, 0), pattern(20, 10, 0), 8, &errors);
-  EXPECT_TRUE(m.same_size);
+  EXPECT_TRUE(m.comparable);
   EXPECT_EQ(m.ssim, 1);
   EXPECT_EQ(m.flip_mean, 0);
   EXPECT_EQ(errors.size(), 200u);
@@ -51,7 +51,7 @@ TEST(Measure, EachThresholdIsHeldByItself) {
 
 TEST(Measure, OtherSizes) {
   const PictureMeasures m = measure(blank(4, 4), blank(4, 5));
-  EXPECT_FALSE(m.same_size);
+  EXPECT_FALSE(m.comparable);
   EXPECT_THAT(broken_thresholds({.max_flip = 1}, m), ElementsAre("the size is 4x5, expected 4x4"));
 }
 

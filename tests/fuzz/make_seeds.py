@@ -220,7 +220,7 @@ def make_band():
 
 def make_student():
     write("student/none", b'{"key": "", "student": {"name": "ann", "pictures": [], "unmatched": ["a.png", {"base64": "gA=="}]}}')
-    measures = ("same_size linear".split(), "width height right_width right_height".split(),
+    measures = ("comparable linear".split(), "width height right_width right_height".split(),
                 "psnr_db mean max share_over ssim flip_mean flip_max".split())
     values = {**{n: "true" for n in measures[0]}, **{n: "7" for n in measures[1]}, **{n: "0.25" for n in measures[2]}}
     values["psnr_db"] = '"inf"'

@@ -314,12 +314,15 @@ TEST(Gradebook, Csv) {
   book.students[0].name = "=cmd|' /C calc'!A0";
   book.students[0].pictures.resize(1);
   book.students[0].pictures[0].notes = {"fine"};
+  book.students[1].pictures[1].measures.size = {48, 36};
+  book.students[1].pictures[1].measures.right_size = {64, 48};
   EXPECT_EQ(
       gradebook_csv(book),
-      "student,picture,verdict,psnr_db,ssim,flip,causes,what,reasons,notes\r\n"
-      "\"'=cmd|' /C calc'!A0\",\"ball\",passed,99.00,1.0000,0.0000,\"\",\"\",\"\",\"fine\"\r\n"
-      "\"ben & co\",\"ball\",missing,,,,\"\",\"\",\"there is no such picture\",\"\"\r\n"
-      "\"ben & co\",\"a<b\",differs,99.00,1.0000,0.0000,\"shadows\",\"there are no shadows\","
+      "student,picture,verdict,size,expected_size,psnr_db,ssim,flip,causes,what,reasons,notes\r\n"
+      "\"'=cmd|' /C calc'!A0\",\"ball\",passed,,,99.00,1.0000,0.0000,\"\",\"\",\"\",\"fine\"\r\n"
+      "\"ben & co\",\"ball\",missing,,,,,,\"\",\"\",\"there is no such picture\",\"\"\r\n"
+      "\"ben & co\",\"a<b\",differs,48x36,64x48,99.00,1.0000,0.0000,\"shadows\",\"there are no "
+      "shadows\","
       "\"PSNR is 31.20 dB, less than 40\",\"\"\r\n");
 }
 

@@ -26,6 +26,7 @@ def class_answer(program, scene, folder):
     draw("class/ben/glow.exr", "--mode", "normals")
     draw("class/ben/other.png")
     draw("class/nobody.png")
+    draw("class/fay/ball.png", "--size", "16x12")
     (folder / "class/cleo").mkdir()
     (folder / "class/dan").mkdir()
     (folder / "class/dan/ball.png").write_text("no picture")
@@ -63,6 +64,7 @@ def broken(document):
     yield change(lambda d: d["students"][0]["pictures"][0].update(verdict="good"))
     yield change(lambda d: d["students"][0]["pictures"][0].pop("psnr_db"))
     yield change(lambda d: d["students"][0]["pictures"][0].pop("linear"))
+    yield change(lambda d: d["students"][0]["pictures"][0].pop("size"))
     yield change(lambda d: d["students"][0]["pictures"][0].update(verdict="missing"))
     yield change(lambda d: d["students"][0]["pictures"][0].update(linear="no"))
 

@@ -207,7 +207,7 @@ TEST_F(GradePaths, JudgesPicturesWithinTheirNoise) {
   EXPECT_THAT(json, HasSubstr("path_traced"));
   EXPECT_THAT(json, HasSubstr("other.ini: not a configuration"));
   EXPECT_EQ(json.find("psnr_db"), std::string::npos);
-  EXPECT_THAT(gradebook_csv(book), HasSubstr("\"ben\",\"full\",differs,,,"));
+  EXPECT_THAT(gradebook_csv(book), HasSubstr("\"ben\",\"full\",differs,64x64,64x64,,,"));
   EXPECT_THAT(gradebook_html(book, "Path"), HasSubstr("right within its noise"));
 }
 

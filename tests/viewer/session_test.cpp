@@ -302,7 +302,7 @@ TEST_F(SessionTest, ComparesTheTracedPicture) {
   EXPECT_EQ(session.picture.size, glm::dvec2(400, 300));
   settle();
   ASSERT_TRUE(session.comparison.has_value());
-  EXPECT_TRUE(session.comparison->measures.same_size);
+  EXPECT_TRUE(session.comparison->measures.comparable);
   EXPECT_LT(session.comparison->measures.difference.psnr_db, 40);
   EXPECT_THAT(measures_text(session.comparison->measures), HasSubstr("dB"));
   EXPECT_EQ(session.comparison->flip.width, 32);
@@ -385,7 +385,7 @@ TEST_F(SessionTest, MineOfAnotherSizeIsComparedWithOurs) {
   EXPECT_EQ(sides_of(session), (Sides{Role::ours, Role::mine}));
   EXPECT_EQ(picture_size(session), glm::ivec2(40, 30));
   EXPECT_EQ(trace_options(session).width, 40);
-  EXPECT_TRUE(session.comparison->measures.same_size);
+  EXPECT_TRUE(session.comparison->measures.comparable);
 }
 
 TEST_F(SessionTest, PicturesAreShownInSeveralWays) {

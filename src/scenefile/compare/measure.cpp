@@ -33,7 +33,7 @@ PictureMeasures measure(const Texture& reference, const Texture& test, int thres
   PictureMeasures measures;
   measures.size = {test.width, test.height};
   measures.right_size = {reference.width, reference.height};
-  measures.same_size = measures.size == measures.right_size;
+  measures.comparable = measures.same_size();
   measures.difference = compare_images(reference, test, threshold);
   FlipMap map;
   if (measures.difference.max == 0) {
@@ -66,7 +66,7 @@ std::vector<std::string> broken_thresholds(const Thresholds& thresholds,
           fmt::runtime(words), text_beside(scale * value, scale * *most, digits), scale * *most));
     }
   };
-  if (!measures.same_size) {
+  if (!measures.comparable) {
     broken.push_back(fmt::format("the size is {}x{}, expected {}x{}", measures.size.x,
                                  measures.size.y, measures.right_size.x, measures.right_size.y));
     return broken;

@@ -14,7 +14,7 @@ namespace scenefile {
 /// For mean, max, share_over, flip_mean and flip_max, smaller is more alike; for psnr_db and ssim,
 /// larger is more alike.
 struct PictureMeasures {
-  bool same_size = true;       ///< false: all measures have their worst value
+  bool comparable = true;      ///< false: all measures have their worst value
   glm::ivec2 size{0};          ///< of the picture under test
   glm::ivec2 right_size{0};    ///< of the reference
   ImageDifference difference;  ///< PSNR, mean, maximum, share of pixels over the threshold
@@ -22,6 +22,9 @@ struct PictureMeasures {
   double ssim = 1;             ///< see ssim.h
   double flip_mean = 0;        ///< see flip.h
   double flip_max = 0;
+
+  /// False, but comparable: the measures are of pictures that were brought to one size.
+  bool same_size() const { return size == right_size; }
 };
 
 /// Computes all measures. `threshold`, in 1/255: a pixel counts in share_over if a channel differs

@@ -22,7 +22,7 @@ struct PictureResult {
   std::string name;  ///< of the reference, without extension
   Verdict verdict = Verdict::passed;
   /// If there is a picture. If its size differs from that of the reference, both have been compared
-  /// at one size, or `same_size` is false.
+  /// at one size, or `comparable` is false.
   PictureMeasures measures;
   std::vector<std::string> reasons;  ///< why it did not pass, as clauses
   std::vector<Claim> causes;         ///< mistakes that explain it

@@ -21,6 +21,11 @@ std::string field(std::string_view text) {
   return result + "\"";
 }
 
+// "64x48"; empty if there is no picture.
+std::string size_text(const glm::ivec2& size) {
+  return size == glm::ivec2(0) ? std::string() : fmt::format("{}x{}", size.x, size.y);
+}
+
 std::string row(const StudentResult& student, const PictureResult& picture) {
   std::string causes;
   for (const Cause cause : distinct_causes(picture)) {
@@ -42,14 +47,14 @@ std::string row(const StudentResult& student, const PictureResult& picture) {
     notes += fmt::format("{}identical files: {}", notes.empty() ? "" : "; ", picture.identical);
   }
   const PictureMeasures& m = picture.measures;
-  const bool measured = m.same_size && !picture.path_traced &&
+  const bool measured = m.comparable && !picture.path_traced &&
                         (picture.verdict == Verdict::passed || picture.verdict == Verdict::differs);
   const std::string figures =
       measured ? fmt::format("{:.2f},{:.4f},{:.4f}", m.difference.psnr_db, m.ssim, m.flip_mean)
                : ",,";
-  return fmt::format("{},{},{},{},{},{},{},{}\r\n", field(student.name), field(picture.name),
-                     name_of(picture.verdict), figures, field(causes), field(words), field(reasons),
-                     field(notes));
+  return fmt::format("{},{},{},{},{},{},{},{},{},{}\r\n", field(student.name), field(picture.name),
+                     name_of(picture.verdict), size_text(m.size), size_text(m.right_size), figures,
+                     field(causes), field(words), field(reasons), field(notes));
 }
 
 }  // namespace
@@ -72,7 +77,8 @@ std::string students_csv(const Gradebook& book) {
 }
 
 std::string gradebook_csv(const Gradebook& book) {
-  std::string csv = "student,picture,verdict,psnr_db,ssim,flip,causes,what,reasons,notes\r\n";
+  std::string csv =
+      "student,picture,verdict,size,expected_size,psnr_db,ssim,flip,causes,what,reasons,notes\r\n";
   for (const StudentResult& student : book.students) {
     for (const PictureResult& picture : student.pictures) {
       csv += row(student, picture);

@@ -112,7 +112,7 @@ std::vector<Mistake> mistakes_of(const StudentResult& student, ClaimsOf claims) 
 }
 
 std::string measures_line(const PictureMeasures& m) {
-  if (!m.same_size) {
+  if (!m.comparable) {
     return "not measured";
   }
   return fmt::format("PSNR {:.2f} dB · SSIM {:.4f} · FLIP {:.4f} · maximum difference {:.6g}/255",

@@ -96,6 +96,8 @@ PictureComparison compare(const Texture& given, const Texture& test, const Image
     found.measures.linear = true;
   }
   found.broken = broken_thresholds(settings.thresholds, found.measures);
+  found.measures.size = {test.width, test.height};
+  found.measures.right_size = {given.width, given.height};
   if (found.other_size()) {
     found.broken.insert(
         found.broken.begin(),
@@ -104,7 +106,7 @@ PictureComparison compare(const Texture& given, const Texture& test, const Image
   }
   const ShownPlace in_test = shown_place(test, shown, found);
   const std::optional<glm::dvec2> asked =
-      found.measures.same_size ? place_asked(settings, in_test, shown, found) : std::nullopt;
+      found.measures.comparable ? place_asked(settings, in_test, shown, found) : std::nullopt;
   // Several searches, each from the start to the end, are one for the caller.
   double most = 0;
   const std::function<bool(double)> forward = [&](double done) {
@@ -116,7 +118,7 @@ PictureComparison compare(const Texture& given, const Texture& test, const Image
   if (found.other_size()) {
     found.causes = find_causes(given, test, nullptr);
   }
-  if (wanted && found.causes.claims.empty() && found.measures.same_size && !found.equal_in_8_bits) {
+  if (wanted && found.causes.claims.empty() && found.measures.comparable && !found.equal_in_8_bits) {
     if (ways.empty() && drawable != nullptr) {
       ways = ways_of(given, *scene, settings);
     }

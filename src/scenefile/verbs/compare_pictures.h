@@ -42,7 +42,7 @@ struct PlaceToLook {
 };
 
 struct PictureComparison {
-  PictureMeasures measures;
+  PictureMeasures measures;  ///< of what was compared; the sizes are those of the whole pictures
   /// If the picture and the reference have different sizes: what the picture was compared with. If
   /// our picture of the scene matches the reference, ours at the size of the picture; otherwise, or
   /// if the picture is a part of the reference, the reference scaled or cropped.

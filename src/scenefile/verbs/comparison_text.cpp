@@ -35,7 +35,7 @@ std::string causes_text(const PictureComparison& found) {
   if (found.right_at_other_size) {
     text += found.place ? "cause: none; the part that was compared is right\n"
                         : "cause: none; the picture is right, at another size\n";
-  } else if (report.claims.empty() && found.measures.same_size && found.scene_fits()) {
+  } else if (report.claims.empty() && found.measures.comparable && found.scene_fits()) {
     text +=
         !report.notes.empty()
             ? fmt::format("cause: none; apart from the following, the pictures only differ {}\n",
@@ -112,7 +112,7 @@ void add_claims(Json& json, std::string_view name, const std::vector<Claim>& cla
 }
 
 void add_measures(Json& json, const PictureMeasures& m) {
-  json.add({{"same_size", m.same_size},
+  json.add({{"same_size", m.same_size()},
             {"psnr_db", m.difference.psnr_db},
             {"mean_difference", m.difference.mean}});
   if (m.linear) {

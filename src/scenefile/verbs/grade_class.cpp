@@ -406,8 +406,6 @@ struct ClassGrader::State {
     const PictureComparison compared = compare_pictures(
         right, *picture, reference.scene ? &*reference.scene : nullptr, settings, go_on);
     result.measures = compared.measures;
-    result.measures.size = {shown.width, shown.height};
-    result.measures.right_size = {right.texture.width, right.texture.height};
     result.reasons = compared.broken;
     if (compared.right_at_other_size) {
       result.reasons.emplace_back("apart from its size, the picture is right");
@@ -419,7 +417,7 @@ struct ClassGrader::State {
       result.notes.push_back(note.what);
     }
     result.verdict = compared.broken.empty() ? Verdict::passed : Verdict::differs;
-    if (by_causes_ && compared.measures.same_size && !compared.equal_in_8_bits) {
+    if (by_causes_ && compared.measures.comparable && !compared.equal_in_8_bits) {
       follow_causes(compared, result);
     }
     if (picture->not_finite > 0) {
@@ -444,11 +442,10 @@ struct ClassGrader::State {
     const RenderOptions& options = *reference.path;
     const Texture& shown = picture.texture;
     result.path_traced = true;
-    result.measures.same_size = shown.width == options.width && shown.height == options.height;
     result.measures.size = {shown.width, shown.height};
     result.measures.right_size = {options.width, options.height};
     result.verdict = Verdict::differs;
-    if (!result.measures.same_size) {
+    if (!result.measures.same_size()) {
       result.reasons = {fmt::format("the size is {}x{}, expected {}x{}", shown.width, shown.height,
                                     options.width, options.height)};
       return;

@@ -13,10 +13,15 @@ std::string gradebook_json(const Gradebook& book) {
     json.add({{"name", student.name}, {"passed", student.passed()}});
     json.add_objects("pictures", student.pictures, [&](const PictureResult& picture) {
       json.add({{"name", picture.name}, {"verdict", name_of(picture.verdict)}});
-      if (picture.path_traced) {
-        json.add("path_traced", true);
-      } else if (picture.verdict == Verdict::passed || picture.verdict == Verdict::differs) {
-        add_measures(json, picture.measures);
+      if (picture.verdict == Verdict::passed || picture.verdict == Verdict::differs) {
+        const PictureMeasures& m = picture.measures;
+        json.add_object("size", {{"width", m.size.x}, {"height", m.size.y}});
+        json.add_object("expected_size", {{"width", m.right_size.x}, {"height", m.right_size.y}});
+        if (picture.path_traced) {
+          json.add("path_traced", true);
+        } else {
+          add_measures(json, m);
+        }
       }
       json.add("reasons", picture.reasons);
       add_claims(json, "causes", picture.causes);

@@ -28,9 +28,9 @@ concept ConstOrNot = std::same_as<std::remove_const_t<T>, Struct>;
 // compile error.
 template <ConstOrNot<PictureMeasures> T, typename Member>
 void visit_record(T& measures, const Member& member) {
-  auto& [same_size, size, right_size, difference, linear, ssim, flip_mean, flip_max] = measures;
+  auto& [comparable, size, right_size, difference, linear, ssim, flip_mean, flip_max] = measures;
   auto& [psnr_db, mean, max, share_over] = difference;
-  member("same_size", same_size);
+  member("comparable", comparable);
   member("width", size.x), member("height", size.y);
   member("right_width", right_size.x), member("right_height", right_size.y);
   member("psnr_db", psnr_db), member("mean", mean), member("max", max);

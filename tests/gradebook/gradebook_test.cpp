@@ -288,6 +288,19 @@ TEST(Gradebook, MissingPicturesHaveNoCause) {
                     HasSubstr("<td class=missing><a href=#p1-0>")));
 }
 
+TEST(Gradebook, TheTableSaysWhyWithoutAMistake) {
+  Gradebook book = two_students();
+  EXPECT_THAT(gradebook_html(book, "t"), Not(HasSubstr("<span>Nothing")));
+  book.students[0].pictures[1].measures.size = {48, 36};
+  book.students[0].pictures[1].measures.right_size = {64, 48};
+  book.students[1].pictures[1] = book.students[1].pictures[0];
+  EXPECT_THAT(gradebook_html(book, "t"),
+              AllOf(HasSubstr("<span>Wrong size <small>· 1 picture</small></span>"),
+                    HasSubstr("<td class=\"mistakes\"><span>Nothing handed in</span></td>")));
+  book.ignored = {{"ben & co/a.cpp", "ben & co", "not a picture"}};
+  EXPECT_THAT(gradebook_html(book, "t"), HasSubstr("<span>Nothing to grade</span>"));
+}
+
 TEST(Gradebook, NotesStandBesideResultsButAreNoMistakes) {
   Gradebook book = two_students();
   for (PictureResult& picture : book.students[1].pictures) {

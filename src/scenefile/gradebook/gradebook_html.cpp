@@ -125,21 +125,50 @@ std::string short_sentence(const Mistake& mistake) {
   return sentence(shown.what) + (shown.instead.empty() ? "" : ", or another mistake");
 }
 
-// In the table: the first mistakes, one below the other.
-std::string mistakes_cell(const StudentResult& student) {
-  constexpr std::size_t max_listed = 3;
-  const std::vector<Mistake> mistakes = mistakes_of(student, &PictureResult::causes);
-  std::string html;
-  for (std::size_t i = 0; i < std::min(max_listed, mistakes.size()); ++i) {
-    html += fmt::format("<span>{} <small>· {}</small></span>", short_sentence(mistakes[i]),
-                        counted(mistakes[i].pictures.size(), "picture"));
+// Why there is no picture of the student; empty if there is one.
+std::string_view why_nothing(const Gradebook& book, const StudentResult& student) {
+  if (std::any_of(student.pictures.begin(), student.pictures.end(),
+                  [](const PictureResult& p) { return p.verdict != Verdict::missing; })) {
+    return {};
   }
-  return mistakes.size() <= max_listed
-             ? html
-             : html + fmt::format("<small>and {} more</small>", mistakes.size() - max_listed);
+  const bool other_files =
+      !student.unmatched.empty() ||
+      std::any_of(book.ignored.begin(), book.ignored.end(),
+                  [&](const IgnoredFile& file) { return file.student == student.name; });
+  return other_files ? "Nothing to grade" : "Nothing handed in";
 }
 
-std::string table_row(const StudentResult& student, std::size_t index) {
+// In the table: what is wrong, the first mistakes one below the other.
+std::string mistakes_cell(const Gradebook& book, const StudentResult& student) {
+  constexpr std::size_t max_listed = 3;
+  std::vector<std::string> lines;
+  const auto add = [&](std::string_view what, std::size_t pictures) {
+    lines.push_back(
+        fmt::format("<span>{} <small>· {}</small></span>", what, counted(pictures, "picture")));
+  };
+  for (const Mistake& mistake : mistakes_of(student, &PictureResult::causes)) {
+    add(short_sentence(mistake), mistake.pictures.size());
+  }
+  const auto wrong_size = static_cast<std::size_t>(
+      std::count_if(student.pictures.begin(), student.pictures.end(),
+                    [](const PictureResult& p) { return !p.measures.same_size(); }));
+  if (wrong_size > 0) {
+    add("Wrong size", wrong_size);
+  }
+  if (const std::string_view nothing = why_nothing(book, student); !nothing.empty()) {
+    lines.push_back(fmt::format("<span>{}</span>", nothing));
+  }
+  std::string html;
+  for (std::size_t i = 0; i < std::min(max_listed, lines.size()); ++i) {
+    html += lines[i];
+  }
+  return lines.size() <= max_listed
+             ? html
+             : html + fmt::format("<small>and {} more</small>", lines.size() - max_listed);
+}
+
+std::string table_row(const Gradebook& book, std::size_t index) {
+  const StudentResult& student = book.students[index];
   std::string causes;
   for (const CauseCount& count : count_causes({&student, 1})) {
     causes += fmt::format("{}{}", causes.empty() ? "" : " ", name_of(count.cause));
@@ -148,7 +177,7 @@ std::string table_row(const StudentResult& student, std::size_t index) {
       "<tr data-causes=\"{}\"><th scope=\"row\"><a href=\"#s{}\">{}</a></th><td>{}/{}</td>"
       "<td class=\"mistakes\">{}</td>",
       causes, index, name_html(student.name), student.passed(), student.pictures.size(),
-      mistakes_cell(student));
+      mistakes_cell(book, student));
   for (std::size_t p = 0; p < student.pictures.size(); ++p) {
     const PictureResult& picture = student.pictures[p];
     html += picture.verdict == Verdict::passed
@@ -193,7 +222,7 @@ std::string table(const Gradebook& book, const std::vector<CauseCount>& causes) 
   }
   html += "</tr></thead>\n<tbody>\n";
   for (std::size_t s = 0; s < book.students.size(); ++s) {
-    html += table_row(book.students[s], s);
+    html += table_row(book, s);
   }
   return html + "</tbody>\n</table></div>\n";
 }

@@ -803,6 +803,16 @@ TEST_F(Grade, ScenesThatNameNoMistakesAreSaid) {
   EXPECT_THAT(run.out, HasSubstr("of the pixels, so most mistakes cannot be named\n"));
 }
 
+TEST_F(Grade, WhatIsNoMistakeSaysSo) {
+  make_folders({"right", "mine"});
+  draw("ball.xml", "right/ball.png", "320x240");
+  folder.write("right/ball.xml", folder.read("ball.xml"));
+  folder.write("mine/ball.jpg", jpeg_of(*decode_image(folder.read("right/ball.png")), 75));
+  program({"grade", "mine", "--references", "right", "--csv", "a.csv", "--gradescope", "r.json"});
+  EXPECT_THAT(folder.read("a.csv"), HasSubstr("JPEGs; this is not a mistake by itself\"\r\n"));
+  EXPECT_THAT(folder.read("r.json"), HasSubstr("Note: "));
+}
+
 TEST_F(Grade, GradescopeIsForOneStudent) {
   make_folders({"right", "class/anna", "class/ben"});
   for (const char* name : {"right", "class/anna", "class/ben"}) {
@@ -899,7 +909,7 @@ TEST_F(Grade, ArchivesAreFoldersAndNobodyIsLost) {
   EXPECT_STREQ(document["ignored"][1]["student"].GetString(), "ada");
   const rapidjson::Value& notes = document["students"][0]["pictures"][0]["notes"];
   ASSERT_EQ(notes.Size(), 3U);
-  EXPECT_STREQ(notes[0].GetString(), "the file is that of the reference, byte for byte");
+  EXPECT_STREQ(notes[0].GetString(), "this file is the reference, byte for byte");
   EXPECT_STREQ(notes[1].GetString(),
                "two pictures match: ball.png was graded, ball_gen.png was not");
   EXPECT_STREQ(notes[2].GetString(), "identical files: ada, hal, smithjohn");

@@ -301,16 +301,17 @@ TEST(Gradebook, TheTableSaysWhyWithoutAMistake) {
   EXPECT_THAT(gradebook_html(book, "t"), HasSubstr("<span>Nothing to grade</span>"));
 }
 
-TEST(Gradebook, NotesStandBesideResultsButAreNoMistakes) {
+TEST(Gradebook, NotesStandBesideResults) {
   Gradebook book = two_students();
   for (PictureResult& picture : book.students[1].pictures) {
     picture.notes = {"four samples <each>"};
   }
-  EXPECT_THAT(gradebook_html(book, "t"), HasSubstr("Not a mistake: four samples &lt;each&gt;"));
-  EXPECT_THAT(gradebook_junit(book), HasSubstr("not a mistake: four samples &lt;each&gt;"));
+  EXPECT_THAT(gradebook_html(book, "t"), HasSubstr("Note: four samples &lt;each&gt;"));
+  EXPECT_THAT(gradebook_junit(book), HasSubstr("note: four samples &lt;each&gt;"));
+  EXPECT_THAT(gradescope_json(book.students[1]), HasSubstr("Note: four samples <each>\\n"));
   book.students[0].pictures[0].notes = {"fine"};
   EXPECT_THAT(student_html(book.students[0], "t"),
-              AllOf(HasSubstr("passed"), HasSubstr("Not a mistake: fine")));
+              AllOf(HasSubstr("passed"), HasSubstr("Note: fine")));
 }
 
 TEST(Gradebook, AllFilesAreUtf8) {

@@ -28,7 +28,7 @@ struct PictureResult {
   std::vector<Claim> causes;         ///< mistakes that explain it
   std::vector<Claim> rivals;         ///< other mistakes that explain it almost as well
   std::vector<Claim> partial;        ///< mistakes that explain a part: something else is wrong too
-  std::vector<std::string> notes;    ///< what differs without a mistake, as clauses
+  std::vector<std::string> notes;    ///< what else is worth knowing, as clauses
   /// Reference, picture and heat map next to each other as a PNG, each a third of its width; empty
   /// without a picture.
   std::string png;

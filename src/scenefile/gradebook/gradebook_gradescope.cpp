@@ -44,7 +44,7 @@ std::string output_of(const PictureResult& picture) {
         fmt::format("In part: {} [{}]\n  {}\n", claim.what, name_of(claim.cause), claim.evidence);
   }
   for (const std::string& note : picture.notes) {
-    text += fmt::format("Not a mistake: {}\n", note);
+    text += fmt::format("Note: {}\n", note);
   }
   return text;
 }

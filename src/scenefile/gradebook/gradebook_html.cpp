@@ -333,7 +333,7 @@ std::string image(const PictureResult& picture, std::string_view attributes) {
 std::string notes_of(const PictureResult& picture) {
   std::string html;
   for (const std::string& note : picture.notes) {
-    html += fmt::format("<p class=\"dim\">Not a mistake: {}</p>\n", markup(note));
+    html += fmt::format("<p class=\"dim\">Note: {}</p>\n", markup(note));
   }
   return html;
 }

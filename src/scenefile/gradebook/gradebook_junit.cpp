@@ -22,7 +22,7 @@ std::string test_case(const StudentResult& student, const PictureResult& picture
     body += fmt::format("cause: {} ({})\n", claim.what, claim.evidence);
   }
   for (const std::string& note : picture.notes) {
-    body += fmt::format("not a mistake: {}\n", note);
+    body += fmt::format("note: {}\n", note);
   }
   return xml + fmt::format(
                    ">\n      <failure type=\"{}\" message=\"{}\">{}</failure>\n"

@@ -116,6 +116,9 @@ PictureComparison compare_pictures(const DecodedPicture& reference, const Decode
 /// "12 of its pixels are not finite (NaN or infinite)".
 std::string not_finite_text(const DecodedPicture& picture);
 
+/// "four samples per pixel; this is not a mistake by itself".
+std::string no_mistake_text(std::string_view what);
+
 /// The causes as human-readable text.
 std::string causes_text(const PictureComparison& found);
 

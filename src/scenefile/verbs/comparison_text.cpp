@@ -12,6 +12,10 @@ std::string not_finite_text(const DecodedPicture& picture) {
                      picture.not_finite == 1 ? "is" : "are");
 }
 
+std::string no_mistake_text(std::string_view what) {
+  return fmt::format("{}; this is not a mistake by itself", what);
+}
+
 std::string causes_text(const PictureComparison& found) {
   if (found.exchanged) {
     return "the second picture shows the scene, and the first does not: give the reference first\n";
@@ -57,7 +61,7 @@ std::string causes_text(const PictureComparison& found) {
                         claim.evidence);
   }
   for (const Claim& note : report.notes) {
-    text += fmt::format(" note: {}; this is not a mistake by itself\n", note.what);
+    text += fmt::format(" note: {}\n", no_mistake_text(note.what));
   }
   if (!found.scene_used) {
     return text;

@@ -381,7 +381,7 @@ struct ClassGrader::State {
       return result;
     }
     if (result.fingerprint == reference.fingerprint) {
-      result.notes.emplace_back("the file is that of the reference, byte for byte");
+      result.notes.emplace_back("this file is the reference, byte for byte");
     }
     DecodedPicture right = reference.picture;
     round_alike(right, *picture);
@@ -414,7 +414,7 @@ struct ClassGrader::State {
     result.rivals = compared.causes.rivals;
     result.partial = compared.causes.partial;
     for (const Claim& note : compared.causes.notes) {
-      result.notes.push_back(note.what);
+      result.notes.push_back(no_mistake_text(note.what));
     }
     result.verdict = compared.broken.empty() ? Verdict::passed : Verdict::differs;
     if (by_causes_ && compared.measures.comparable && !compared.equal_in_8_bits) {

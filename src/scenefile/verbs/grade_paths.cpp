@@ -5,6 +5,7 @@
 #include "scenefile/io/file.h"
 #include "scenefile/io/folder.h"
 #include "scenefile/verbs/compare_paths.h"
+#include "scenefile/verbs/compare_pictures.h"
 
 #include <fmt/format.h>
 
@@ -114,10 +115,11 @@ void set_result(const PathVerdict& v, PictureResult& result) {
   for (const PathClaim& claim : v.partial) {
     result.partial.push_back(claim_of(claim));
   }
-  for (const std::vector<PathClaim>* list : {&v.conventions, &v.notes}) {
-    for (const PathClaim& claim : *list) {
-      result.notes.push_back(claim.what);
-    }
+  for (const PathClaim& claim : v.conventions) {
+    result.notes.push_back(no_mistake_text(claim.what));
+  }
+  for (const PathClaim& claim : v.notes) {
+    result.notes.push_back(claim.what);
   }
 }
 

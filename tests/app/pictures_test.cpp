@@ -72,6 +72,11 @@ struct Pictures : ProgramFolder {
   std::string scene;
 };
 
+// What grade says if it finds no scenes.
+constexpr std::string_view no_scenes_note =
+    "note: no reference has a scene: most mistakes cannot be named; --scenes DIR names the folder "
+    "of the scenes\n";
+
 using DiffImages = Pictures;
 using Grade = Pictures;
 
@@ -671,7 +676,9 @@ TEST_F(Grade, MapsAndAllReports) {
       program({"grade", "mine", "--references", "right", "--map", "names.csv"});
   EXPECT_EQ(unused.status, 0) << unused.out << unused.err;
   EXPECT_EQ(unused.err,
-            "note: the map assigns \"other.png\" to a reference, but no student has it\n");
+            fmt::format("{}note: the map assigns \"other.png\" to a reference, but no student has "
+                        "it\n",
+                        no_scenes_note));
   folder.write("names.csv", "results/my picture.png, bal\n");
   const ProgramRun unknown =
       program({"grade", "mine", "--references", "right", "--map", "names.csv"});
@@ -757,7 +764,7 @@ TEST_F(Grade, TheReportHasATitleAndADate) {
     EXPECT_EQ(run_program(words + Words{"--report", "r.html", "--pages", "pages"} + more,
                           {.environment = {"SOURCE_DATE_EPOCH=86400"}, .folder = folder.path()})
                   .err,
-              "");
+              no_scenes_note);
     return folder.read("r.html") + folder.read("pages/anna.html");
   };
   const std::string first = report({});
@@ -801,6 +808,19 @@ TEST_F(Grade, ScenesThatNameNoMistakesAreSaid) {
   const ProgramRun run = program(words);
   EXPECT_EQ(run.err, "");
   EXPECT_THAT(run.out, HasSubstr("of the pixels, so most mistakes cannot be named\n"));
+}
+
+TEST_F(Grade, ReferencesWithoutScenesAreSaidOnce) {
+  make_folders({"right", "mine"});
+  for (const char* name : {"ball", "cube"}) {
+    folder.write(fmt::format("right/{}.png", name), folder.read("right.png"));
+    folder.write(fmt::format("mine/{}.png", name), folder.read("right.png"));
+  }
+  const Words words{"grade", "mine", "--references", "right"};
+  EXPECT_EQ(program(words).err, no_scenes_note);
+  folder.write("right/ball.xml", folder.read("ball.xml"));
+  EXPECT_EQ(program(words).err,
+            "note: no scene has the name of cube: most mistakes in its pictures cannot be named\n");
 }
 
 TEST_F(Grade, WhatIsNoMistakeSaysSo) {
@@ -888,7 +908,7 @@ TEST_F(Grade, ArchivesAreFoldersAndNobodyIsLost) {
   const std::vector<std::string> words{"grade", "class", "--references", "right"};
   const ProgramRun run = program(words);
   EXPECT_EQ(run.status, 1);
-  EXPECT_EQ(run.err, "");
+  EXPECT_EQ(run.err, no_scenes_note);
   EXPECT_THAT(run.out,
               AllOf(HasSubstr("ada        1 of 1 passed\n"),
                     HasSubstr("gina       0 of 1 passed\n    test_ball: differs: "),

@@ -193,7 +193,7 @@ struct ClassGrader::State {
     }
   }
 
-  // Without scenes, no causes are expected; but if there are some, names may be wrong.
+  // Most causes need scenes. If there are some, names may be wrong.
   void note_missing_scenes() {
     std::vector<std::string> without;
     for (const ClassReference& reference : references_.all) {
@@ -201,8 +201,11 @@ struct ClassGrader::State {
         without.push_back(escaped(reference.name));
       }
     }
-    const bool some = without.size() < references_.all.size() || !request_.scenes.empty();
-    if (some && !without.empty()) {
+    if (without.size() == references_.all.size() && request_.scenes.empty()) {
+      notes_.emplace_back(
+          "no reference has a scene: most mistakes cannot be named; --scenes DIR names the folder "
+          "of the scenes");
+    } else if (!without.empty()) {
       constexpr std::size_t most = 4;
       const std::size_t more = without.size() - std::min(without.size(), most);
       without.resize(without.size() - more);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <filesystem>
 #include <string>
 #include <thread>
 #include <utility>
@@ -74,6 +75,11 @@ TEST_F(Faults, EveryLongCommandStopsImmediately) {
                   .status,
               0);
   }
+  for (const std::string name : {"right", "mine"}) {
+    std::filesystem::create_directory(folder.path(name));
+    folder.write(name + "/a.png", folder.read(name == "right" ? "a.png" : "b.png"));
+  }
+  folder.write("right/a.xml", good_scene);
   const auto before = folder.list();
   for (const std::vector<std::string>& words :
        std::vector<std::vector<std::string>>{{"check", "huge.xml"},
@@ -81,7 +87,7 @@ TEST_F(Faults, EveryLongCommandStopsImmediately) {
                                              {"format", "huge.xml"},
                                              {"diff", "huge.xml", "s.xml"},
                                              {"diff", "a.png", "b.png", "--scene", "s.xml"},
-                                             {"grade", ".", "--references", "."},
+                                             {"grade", "mine", "--references", "right"},
                                              {"explain", "huge.xml", "--pixel", "1,1"}}) {
     const ProgramRun run =
         run_program(words, {.folder = folder.path(), .signal = SIGTERM, .delay_ms = 60});

@@ -604,6 +604,34 @@ TEST_F(Grade, AReferenceThatIsALinkToNothingIsAnError) {
   EXPECT_THAT(run.err, HasSubstr("references/cube.png: cannot open: No such file"));
 }
 
+TEST_F(Grade, SubmissionsAreNoReferences) {
+  make_folders({"all/right", "all/class/ada"});
+  folder.write("all/right/ball.png", folder.read("right.png"));
+  folder.write("all/class/ada/ball.png", folder.read("right.png"));
+  std::filesystem::create_symlink("all", folder.path("link"));
+  for (const char* references : {"all", "link", "all/class", "all/right/../class/"}) {
+    const ProgramRun run = program({"grade", "all/class", "--references", references});
+    EXPECT_EQ(run.status, 2) << references;
+    EXPECT_THAT(run.err, AllOf(HasSubstr("class/ada/ball.png\" was handed in, but would be a "
+                                         "reference, because it is in"),
+                               HasSubstr(references)));
+  }
+  EXPECT_EQ(program({"grade", "all/class", "--references", "all/right"}).status, 0);
+  // A folder with all of it.
+  EXPECT_NE(program({"grade", "all", "--references", "all/right"}).status, 2);
+}
+
+TEST_F(Grade, AReferenceThatIsNoPictureIsAnError) {
+  make_folders({"right", "class/ada"});
+  folder.write("right/ball.png", "no picture");
+  folder.write("class/ada/ball.png", folder.read("right.png"));
+  const ProgramRun run = program({"grade", "class", "--references", "right"});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.err,
+              AllOf(HasSubstr("right/ball.png: not a picture that scenefile reads"),
+                    EndsWith("; it was taken as a reference, because it is in \"right\"\n")));
+}
+
 TEST_F(Grade, MistakesThatGiveTheSamePictureAreListed) {
   make_folders({"references", "class/eve"});
   folder.write("references/ball.png", folder.read("right.png"));

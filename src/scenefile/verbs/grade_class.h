@@ -81,10 +81,10 @@ class ClassGrader {
 };
 
 /// Grades all students, in the order of their names. Pictures are matched with references by name
-/// (grade_files.h). Fails if a folder or a reference cannot be read, if no picture has the name of
-/// a reference, and if `go_on`, which is called occasionally with the finished fraction, returns
-/// false (ErrorKind::cancelled). `entering` is called at the start of each phase, as in
-/// LoadSettings.
+/// (grade_files.h). Fails if a folder or a reference cannot be read, if a reference was
+/// handed in, if no picture has the name of a reference, and if `go_on`, which is called
+/// occasionally with the finished fraction, returns false (ErrorKind::cancelled). `entering` is
+/// called at the start of each phase, as in LoadSettings.
 Result<Gradebook> grade_class(const GradeRequest& request, const LoadShownScene& load_scene,
                               const std::function<bool(double done)>& go_on = {},
                               const std::function<void(const char* phase)>& entering = {});

@@ -92,6 +92,9 @@ class ReferenceLoader {
     if (!errors.empty()) {
       return errors.front();
     }
+    if (const Result<void> refused = refuse_submissions(found_.files); !refused) {
+      return refused;
+    }
     for (const FoundFile& file : found_.files) {
       add_input("reference", file.path);
     }
@@ -116,7 +119,9 @@ class ReferenceLoader {
       Result<DecodedPicture> picture =
           decode_picture_file(*bytes, found_.files[i].path, request_.layer);
       if (!picture) {
-        return picture.error();
+        return Error{fmt::format("{}; it was taken as a reference, because it is in {}",
+                                 picture.error().text, quoted(request_.references, 400)),
+                     picture.error().kind};
       }
       ClassReference reference{names[i], *std::move(picture), std::nullopt, {}};
       if (scene_of[i] >= 0) {
@@ -148,6 +153,13 @@ class ReferenceLoader {
     if (!found) {
       return found.error();
     }
+    std::vector<FoundFile> files;
+    for (const PathReference& one : *found) {
+      files.push_back(one.file);
+    }
+    if (const Result<void> refused = refuse_submissions(files); !refused) {
+      return refused;
+    }
     for (PathReference& one : *found) {
       add_input("configuration", one.file.path);
       add_input("scene of a reference", one.scene);
@@ -172,6 +184,32 @@ class ReferenceLoader {
       found_.all[i].name = names[i];
     }
     return {};
+  }
+
+  // Fails if files that were handed in are among the references: students would be graded against
+  // each other.
+  Result<void> refuse_submissions(const std::vector<FoundFile>& files) const {
+    const auto is_below = [](const std::string& folder, const std::string& other) {
+      return folder == other || folder.starts_with(other == "/" ? other : other + "/");
+    };
+    const auto real_path = [](const std::string& folder) {
+      return real_folder_of(folder + "/file");
+    };
+    // Not if the references are in the folder of the class, which then contains more than students.
+    const std::string handed_in = real_path(request_.handed_in);
+    if (!is_folder(request_.handed_in) || !is_below(handed_in, real_path(request_.references))) {
+      return {};
+    }
+    const auto submission = std::find_if(files.begin(), files.end(), [&](const FoundFile& file) {
+      return is_below(real_folder_of(file.path), handed_in);
+    });
+    return submission == files.end()
+               ? Result<void>()
+               : Error{
+                     fmt::format("{} was handed in, but would be a reference, because it is in {}: "
+                                 "keep the references in a folder without submissions",
+                                 quoted(submission->path, 400), quoted(request_.references, 400)),
+                     ErrorKind::usage};
   }
 
   // Whether all references of the map exist.

@@ -961,6 +961,9 @@ TEST_F(Grade, ArchivesAreFoldersAndNobodyIsLost) {
   EXPECT_STREQ(notes[1].GetString(),
                "two pictures match: ball.png was graded, ball_gen.png was not");
   EXPECT_STREQ(notes[2].GetString(), "identical files: ada, hal, smithjohn");
+  const rapidjson::Value& smithjohn = document["students"][document["students"].Size() - 1];
+  EXPECT_STREQ(smithjohn["pictures"][0]["notes"][1].GetString(),
+               "handed in late, as the name of the file says");
   EXPECT_THAT(folder.read("s.csv"), HasSubstr("\"ida\",0,1,0,1,0,1\r\n"));
   // A store gives the same answer.
   std::vector<std::string> with_store = words;

@@ -369,6 +369,7 @@ class ClassBuilder {
       }
       for (const ClassItem* item : top->items) {
         FoundFile file = item->file;
+        file.late = top->system.late;
         if (is_loose(*item) && top->of_system) {
           file.stem = stem_of(top->system.original);
         } else if (!is_loose(*item)) {

@@ -51,6 +51,7 @@ struct CourseSystemName {
   std::string id;            ///< that distinguishes students of the same name; may be empty
   std::string attempt;       ///< later ones are greater; empty: files of all attempts count
   std::uint64_t number = 0;  ///< of the file; later ones are greater
+  bool late = false;         ///< handed in late
   std::string original;      ///< the name of the file before, with its extension; may be empty
 };
 

@@ -61,7 +61,8 @@ bool read_canvas(std::string_view name, CourseSystemName& result) {
   if (!typed && (user + 2 >= parts.size() || !is_number(parts[user + 1]))) {
     return false;
   }
-  const std::size_t names = user - (parts[user - 1] == "LATE" ? 1 : 0);
+  const bool late = parts[user - 1] == "LATE";
+  const std::size_t names = user - (late ? 1 : 0);
   const auto start = [&](std::size_t part) {
     return static_cast<std::size_t>(parts[part].data() - name.data());
   };
@@ -71,6 +72,7 @@ bool read_canvas(std::string_view name, CourseSystemName& result) {
   }
   result.name = name.substr(0, start(names) - 1);
   result.id = parts[user];
+  result.late = late;
   result.student = result.name + "_" + result.id;
   if (!typed) {
     result.number = number_of(parts[user + 1]);

@@ -262,6 +262,12 @@ struct ClassGrader::State {
       student.ignored.push_back(
           {path_in_class(pictures[unused.picture]), student.name, std::move(reason)});
     }
+    for (std::size_t r = 0; r < matches.pictures.size(); ++r) {
+      const int picture = matches.pictures[r];
+      if (picture >= 0 && pictures[static_cast<std::size_t>(picture)].late) {
+        student.notes[r].emplace_back("handed in late, as the name of the file says");
+      }
+    }
     student.of_references = std::move(matches.pictures);
     return static_cast<std::size_t>(std::count_if(student.of_references.begin(),
                                                   student.of_references.end(),

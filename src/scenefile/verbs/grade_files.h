@@ -17,6 +17,7 @@ struct FoundFile {
   std::string stem;  ///< name without extension
   /// If it is in an archive: its path there, preceded by those of the archives in archives.
   std::vector<std::string> entries = {};
+  bool late = false;  ///< a course system says that it was handed in late
 };
 
 /// The last part of its path.

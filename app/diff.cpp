@@ -73,6 +73,9 @@ std::string remarks_text(const LoadedPicture& a, const LoadedPicture& b) {
     if (loaded->picture.jpeg) {
       text += fmt::format("  {} is a JPEG, which changes colors: compare PNGs\n", name);
     }
+    if (loaded->picture.transparent) {
+      text += fmt::format("  {}: {}\n", name, transparent_text);
+    }
     if (loaded->picture.not_finite > 0) {
       text += fmt::format("  {}: {}\n", name, not_finite_text(loaded->picture));
     }

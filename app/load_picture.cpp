@@ -134,6 +134,7 @@ void add_picture(Json& json, std::string_view key, const LoadedPicture& loaded) 
     json.add({{"width", picture.texture.width},
               {"height", picture.texture.height},
               {"jpeg", picture.jpeg},
+              {"transparent", picture.transparent},
               {"not_finite", picture.not_finite}});
   } else {
     json.add("error", loaded.error);

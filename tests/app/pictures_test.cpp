@@ -2,6 +2,7 @@
 
 #include "app/run_program.h"
 #include "scenefile/asset/image_file.h"
+#include "scenefile/base/base64.h"
 #include "support/jpeg_bytes.h"
 #include "support/write_archive.h"
 
@@ -979,6 +980,27 @@ TEST_F(Grade, ArchivesAreFoldersAndNobodyIsLost) {
   EXPECT_EQ(program(more).status, 2);
 }
 #endif
+
+// Viewers show nothing of it, but its colors are right.
+TEST_F(Grade, ATransparentPictureIsNoted) {
+  make_folders({"right", "mine"});
+  Image white(2, 2);
+  std::fill(white.rgb.begin(), white.rgb.end(), 1.0f);
+  folder.write("right/ball.png", *encode_image(white, ImageFormat::png8, Rounding::nearest));
+  // The same with alpha 0.
+  folder.write("mine/ball.png",
+               *base64_decoded("iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAYAAABytg0kAAAAEUlEQVR42mP4"
+                               "//8/AwgzwBgAcaAL9XaJ+KkAAAAASUVORK5CYII="));
+  const std::string note =
+      "all its pixels are transparent (alpha 0): viewers show nothing, but alpha is not compared";
+  const ProgramRun run = program({"grade", "mine", "--references", "right", "--csv", "a.csv"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_THAT(folder.read("a.csv"), HasSubstr(note));
+  const ProgramRun diff = program({"diff", "right/ball.png", "mine/ball.png"});
+  EXPECT_EQ(diff.status, 0);
+  EXPECT_THAT(diff.out, AllOf(HasSubstr("  mine/ball.png: " + note + "\n"), HasSubstr("\nequal\n"),
+                              Not(HasSubstr("right/ball.png: all"))));
+}
 
 TEST_F(Grade, AJpegIsReported) {
   make_folders({"right", "mine"});

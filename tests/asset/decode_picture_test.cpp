@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <png.h>
 
 #include <cmath>
 #include <limits>
@@ -121,6 +122,18 @@ TEST(DecodePicture, ValuesThatAreNotFiniteAreCounted) {
             (std::vector<std::uint8_t>{0, 0, 0, 255, 255, 255, 0, 0, 0, 255, 255, 255}));
   EXPECT_TRUE(std::isnan(decoded.linear.rgb[0]));
   EXPECT_EQ(decoded.linear.rgb[9], 2.5f);
+}
+
+TEST(DecodePicture, PngsThatAreTransparentEverywhereAreTold) {
+  const auto is_transparent = [](int type, const std::string& row, bool interlaced = false) {
+    const auto decoded = decode_picture(test::make_png(2, 2, 8, type, interlaced, {row, row}));
+    return decoded->transparent;
+  };
+  const std::string none("\x0a\x14\x1e\x00\x28\x32\x3c\x00", 8);
+  EXPECT_TRUE(is_transparent(PNG_COLOR_TYPE_RGB_ALPHA, none));
+  EXPECT_TRUE(is_transparent(PNG_COLOR_TYPE_GRAY_ALPHA, std::string(4, '\0')));
+  EXPECT_FALSE(is_transparent(PNG_COLOR_TYPE_RGB_ALPHA, none.substr(0, 7) + "\x01"));
+  EXPECT_FALSE(is_transparent(PNG_COLOR_TYPE_RGB, std::string(6, '\0')));
 }
 
 TEST(DecodePicture, DamagedExrIsRejected) {

@@ -152,7 +152,8 @@ Color masked_color(const std::uint8_t* row, std::size_t x, const BmpHeader& h) {
           masked_value(pixel, h.mask[2])};
 }
 
-Result<void> decode_bmp(std::string_view bytes, Texture& texture) {
+Result<void> decode_bmp(std::string_view bytes, DecodedPicture& picture) {
+  Texture& texture = picture.texture;
   const BmpHeader h = bmp_header(bytes);
   const std::vector<Color> palette = read_palette(bytes, h);
   texture.rgb.resize(3 * h.width * h.height);

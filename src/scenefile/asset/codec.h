@@ -24,9 +24,10 @@ struct Codec {
   PictureFormat format;
   bool (*recognizes)(std::string_view bytes);
   Result<ImageHeader> (*read_header)(std::string_view bytes);
-  /// Fills texture.rgb. The size is set and rgb has the capacity reserved, so that a
-  /// truncated file never touches most of that memory. Null for formats with floats.
-  Result<void> (*decode)(std::string_view bytes, Texture& texture);
+  /// Fills texture.rgb of the picture, and sets `transparent`. The size is set and rgb has the
+  /// capacity reserved, so that a truncated file never touches most of that memory. Null for
+  /// formats with floats.
+  Result<void> (*decode)(std::string_view bytes, DecodedPicture& picture);
   /// Fills a black image of the size of the header; `layer` as for decode_picture(). Null for
   /// formats with integers.
   Result<void> (*decode_linear)(std::string_view bytes, std::string_view layer,

@@ -104,7 +104,7 @@ Result<DecodedPicture> decode(const Codec& codec, std::string_view bytes, std::s
     picture.texture.width = width;
     picture.texture.height = height;
     picture.texture.rgb.reserve(3 * header->width * header->height);
-    done = codec.decode(bytes, picture.texture);
+    done = codec.decode(bytes, picture);
   }
   if (!done) {
     return failed(done.error().text, ErrorKind::input);

@@ -242,7 +242,8 @@ void fill_background(Texture& texture, const Palette& palette, std::uint32_t ind
   }
 }
 
-Result<void> decode_gif(std::string_view bytes, Texture& texture) {
+Result<void> decode_gif(std::string_view bytes, DecodedPicture& picture) {
+  Texture& texture = picture.texture;
   ByteReader in(bytes, 10);
   const std::uint32_t flags = in.u8();
   const std::uint32_t background = in.u8();

@@ -50,6 +50,8 @@ struct DecodedPicture {
   Image linear{};
   std::size_t not_finite = 0;  ///< pixels of `linear` with a value that is NaN or infinite
   bool jpeg = false;           ///< its colors are not exactly those that were stored
+  /// A PNG, not interlaced, whose pixels all have alpha 0: viewers show nothing of its colors.
+  bool transparent = false;
 
   bool is_linear() const { return !linear.rgb.empty(); }
 };

@@ -157,7 +157,8 @@ Result<ImageHeader> read_jpeg_header(std::string_view bytes) {
   return fine ? Result<ImageHeader>(header) : std::move(error);
 }
 
-Result<void> decode_jpeg(std::string_view bytes, Texture& texture) {
+Result<void> decode_jpeg(std::string_view bytes, DecodedPicture& picture) {
+  Texture& texture = picture.texture;
   const std::unique_ptr<Decoder> decoder = make_decoder();
   std::vector<std::uint8_t> cmyk(std::size_t{4} * static_cast<std::size_t>(texture.width));
   const bool fine = read_image(*decoder, bytes, texture, cmyk);

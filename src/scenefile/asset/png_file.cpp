@@ -120,28 +120,46 @@ void skip_ancillary_chunks(png_structp png) {
 // The rows from the library are RGB, or palette indices, whose range it does not check.
 struct PngPixels {
   std::vector<std::uint8_t> bytes;
+  std::vector<std::uint8_t> row_with_alpha;
+  bool alpha = false;    // rows come with alpha
+  bool visible = false;  // some alpha is not 0
   bool indexed = false;
   png_colorp palette = nullptr;
   int colors = 0;
 };
 
-// One byte per index, three per color; returns the number of passes over the image.
-int convert_samples(png_structp png, png_infop info, bool indexed) {
+// One byte per index, three per color, four with alpha; returns the number of passes over the
+// image.
+int convert_samples(png_structp png, png_infop info, const PngPixels& pixels) {
   const int passes = png_set_interlace_handling(png);
   png_set_packing(png);
-  if (!indexed) {
+  if (!pixels.indexed) {
     png_set_expand_gray_1_2_4_to_8(png);
     png_set_gray_to_rgb(png);
     png_set_scale_16(png);
-    png_set_strip_alpha(png);
+    if (!pixels.alpha) {
+      png_set_strip_alpha(png);
+    }
   }
   png_read_update_info(png, info);
   return passes;
 }
 
+// Reads a row and drops its alpha.
+void read_row_with_alpha(png_structp png, PngPixels& pixels, std::uint8_t* to) {
+  png_read_row(png, pixels.row_with_alpha.data(), nullptr);
+  std::uint8_t most = 0;
+  for (std::size_t i = 0; i < pixels.row_with_alpha.size(); i += 4, to += 3) {
+    const std::uint8_t* const from = pixels.row_with_alpha.data() + i;
+    std::memcpy(to, from, 3);
+    most |= from[3];
+  }
+  pixels.visible = pixels.visible || most != 0;
+}
+
 // Rows are appended as they arrive, unless there are several passes. The memory is reserved.
-void read_rows(png_structp png, int passes, std::size_t row, int height,
-               std::vector<std::uint8_t>& bytes) {
+void read_rows(png_structp png, int passes, std::size_t row, int height, PngPixels& pixels) {
+  std::vector<std::uint8_t>& bytes = pixels.bytes;
   auto* source = static_cast<Source*>(png_get_io_ptr(png));
   source->ample = 8 * row + (1 << 16);
   if (passes > 1) {
@@ -155,7 +173,12 @@ void read_rows(png_structp png, int passes, std::size_t row, int height,
       if (passes == 1) {
         bytes.resize(row * static_cast<std::size_t>(y + 1));
       }
-      png_read_row(png, bytes.data() + row * static_cast<std::size_t>(y), nullptr);
+      std::uint8_t* const to = bytes.data() + row * static_cast<std::size_t>(y);
+      if (pixels.alpha) {
+        read_row_with_alpha(png, pixels, to);
+      } else {
+        png_read_row(png, to, nullptr);
+      }
     }
   }
 }
@@ -166,14 +189,14 @@ bool read_image(png_structp png, png_infop info, const Texture& texture, PngPixe
   }
   skip_ancillary_chunks(png);
   png_read_info(png, info);
-  const int passes = convert_samples(png, info, pixels.indexed);
-  const std::size_t row =
-      static_cast<std::size_t>(texture.width) * (pixels.indexed ? std::size_t{1} : std::size_t{3});
-  if (png_get_rowbytes(png, info) != row) {
+  const int passes = convert_samples(png, info, pixels);
+  const auto width = static_cast<std::size_t>(texture.width);
+  const std::size_t row = width * (pixels.indexed ? std::size_t{1} : std::size_t{3});
+  if (png_get_rowbytes(png, info) != (pixels.alpha ? 4 * width : row)) {
     png_error(png, "its rows have an unexpected length");
   }
   png_get_PLTE(png, info, &pixels.palette, &pixels.colors);
-  read_rows(png, passes, row, texture.height, pixels.bytes);
+  read_rows(png, passes, row, texture.height, pixels);
   png_read_end(png, nullptr);
   return true;
 }
@@ -189,7 +212,8 @@ Result<void> look_up_colors(const PngPixels& pixels, std::vector<std::uint8_t>& 
   return {};
 }
 
-Result<void> decode_png(std::string_view bytes, Texture& texture) {
+Result<void> decode_png(std::string_view bytes, DecodedPicture& picture) {
+  Texture& texture = picture.texture;
   Message message;
   Source source{bytes.data(), bytes.size()};
   PngPixels pixels;
@@ -198,6 +222,11 @@ Result<void> decode_png(std::string_view bytes, Texture& texture) {
     pixels.bytes.reserve(texture.rgb.capacity() / 3);
   } else {
     pixels.bytes.swap(texture.rgb);
+  }
+  // Several passes fill the rows of the result, which have no place for alpha.
+  pixels.alpha = (bytes[25] & PNG_COLOR_MASK_ALPHA) != 0 && bytes[28] == PNG_INTERLACE_NONE;
+  if (pixels.alpha) {
+    pixels.row_with_alpha.resize(std::size_t{4} * static_cast<std::size_t>(texture.width));
   }
   png_structp png = png_create_read_struct_2(PNG_LIBPNG_VER_STRING, &message, png_failed,
                                              png_warned, &message, png_take, png_give);
@@ -216,6 +245,7 @@ Result<void> decode_png(std::string_view bytes, Texture& texture) {
     result = look_up_colors(pixels, texture.rgb);
   } else {
     texture.rgb.swap(pixels.bytes);
+    picture.transparent = pixels.alpha && !pixels.visible;
   }
   png_destroy_read_struct(&png, &info, nullptr);
   if (message.out_of_memory) {

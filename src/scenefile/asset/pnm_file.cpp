@@ -100,7 +100,8 @@ Result<ImageHeader> read_pnm_header(std::string_view bytes) {
       .width = h->width, .height = h->height, .min_bytes = h->pixels_at + data - (h->text ? 1 : 0)};
 }
 
-Result<void> decode_pnm(std::string_view bytes, Texture& texture) {
+Result<void> decode_pnm(std::string_view bytes, DecodedPicture& picture) {
+  Texture& texture = picture.texture;
   const Result<PnmHeader> h = pnm_header(bytes);
   if (!h) {
     return h.error();

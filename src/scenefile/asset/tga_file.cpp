@@ -150,7 +150,8 @@ class TgaPixels {
   bool bad_index_ = false;
 };
 
-Result<void> decode_tga(std::string_view bytes, Texture& texture) {
+Result<void> decode_tga(std::string_view bytes, DecodedPicture& picture) {
+  Texture& texture = picture.texture;
   const TgaHeader header = tga_header(bytes);
   TgaPixels pixels(bytes, header);
   texture.rgb.resize(std::size_t{3} * header.width * header.height);

@@ -116,6 +116,10 @@ PictureComparison compare_pictures(const DecodedPicture& reference, const Decode
 /// "12 of its pixels are not finite (NaN or infinite)".
 std::string not_finite_text(const DecodedPicture& picture);
 
+/// Of a picture that is DecodedPicture::transparent.
+inline constexpr std::string_view transparent_text =
+    "all its pixels are transparent (alpha 0): viewers show nothing, but alpha is not compared";
+
 /// "four samples per pixel; this is not a mistake by itself".
 std::string no_mistake_text(std::string_view what);
 

@@ -385,6 +385,9 @@ struct ClassGrader::State {
       result.reasons = {picture.error().text};
       return result;
     }
+    if (picture->transparent) {
+      result.notes.emplace_back(transparent_text);
+    }
     if (reference.path) {
       grade_path(reference, *picture, result, go_on);
       return result;

@@ -108,6 +108,17 @@ TEST_F(PathScene, AnExportedSceneIsDrawnAlike) {
   EXPECT_THAT(glb.out, HasSubstr(R"("emissiveStrength":17)"));
 }
 
+TEST_F(PathScene, ImportSaysThatEmissionIsLost) {
+  const std::string written = scene();
+  for (const std::string model : {"back.obj", "back.glb"}) {
+    ASSERT_EQ(run_program({"convert", written, folder.path(model)}).status, 0);
+    const ProgramRun back = run_program({"convert", folder.path(model), folder.path("again.xml")});
+    EXPECT_EQ(back.status, 0);
+    EXPECT_THAT(back.err, HasSubstr("what materials emit becomes their ambient color")) << model;
+    EXPECT_THAT(folder.read("again.xml"), HasSubstr(R"(<ambient r="17" g="12" b="4"/>)")) << model;
+  }
+}
+
 TEST_F(PathScene, FramesArePathTraced) {
   const ProgramRun run = run_program({"frames", scene(), "-o", folder.path("f%d.pfm"),
                                       "--turntable", "1", "--size", "24x24", "--samples", "4"});

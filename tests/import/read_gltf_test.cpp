@@ -68,6 +68,7 @@ TEST_P(RoundTrip, ObjectsLightsAndCameraComeBack) {
   const std::string sheared =
       R"(<scale x="3" y="1" z="1"/><rotate x="0" y="0" z="1" angle="30"/><translate x="1" y="2" z="3"/>)";
   travel(scene_of(block(sheared + shiny) + block(shiny)), GetParam(), trip);
+  EXPECT_TRUE(trip.diagnostics.list().empty()) << "not even for ambient light, written as emission";
   const RenderScene& a = trip.ready.scene;
   const RenderScene& b = trip.ready_back.scene;
   ASSERT_EQ(b.lights.size(), 3u);

@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 namespace scenefile {
@@ -53,6 +54,22 @@ TEST(ReadObjScene, CutsTheMeshUpByMaterial) {
   EXPECT_EQ(glass.reflective, glm::vec3(.5f));
   EXPECT_EQ(glass.ior, 1.4f);
   EXPECT_TRUE(scene.scene.camera);
+}
+
+TEST(ReadObjScene, EmissionBecomesAmbientColorAndIsReported) {
+  Diagnostics diagnostics;
+  const ImportedScene scene = read_obj_scene(
+      two_triangles,
+      with_files(
+          {{"a.mtl", "newmtl red\nKa 1 1 1\nKd 1 0 0\nKe 12 6 3\nnewmtl glass\nKe 1 1 1\n"}}),
+      diagnostics);
+  EXPECT_EQ(scene.scene.nodes.at(1).primitives.at(0).material.ambient, glm::vec3(12.1f, 6, 3));
+  const auto& list = diagnostics.list();
+  EXPECT_EQ(std::count_if(list.begin(), list.end(),
+                          [](const Diagnostic& d) { return d.code == &"import.left-out"_code; }),
+            1);
+  ASSERT_FALSE(list.empty());
+  EXPECT_THAT(list[0].message, HasSubstr("what materials emit becomes their ambient color"));
 }
 
 TEST(ReadObjScene, ReadsWithoutItsFiles) {

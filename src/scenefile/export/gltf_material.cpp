@@ -44,12 +44,14 @@ void report_differences(const RenderMaterial& material, const PhongColors& phong
   }
 }
 
-// The format's own values, which glTF cannot represent.
-std::string extras(const PhongColors& phong) {
-  return fmt::format(R"({{"scenefile":{{"ambient":{},"diffuse":{},"specular":{},"reflective":{},)"
+// The format's own values, which glTF cannot represent. What faces emit has another name than
+// ambient light, because it cannot be read back as such.
+std::string extras(const PhongColors& phong, bool path) {
+  return fmt::format(R"({{"scenefile":{{"{}":{},"diffuse":{},"specular":{},"reflective":{},)"
                      R"("transparent":{},"shininess":{},"ior":{}}}}})",
-                     list(phong.ambient), list(phong.diffuse), list(phong.specular),
-                     list(phong.reflective), list(phong.transparent), phong.shininess, phong.ior);
+                     path ? "emission" : "ambient", list(phong.ambient), list(phong.diffuse),
+                     list(phong.specular), list(phong.reflective), list(phong.transparent),
+                     phong.shininess, phong.ior);
 }
 
 }  // namespace
@@ -100,7 +102,7 @@ std::string gltf_material(const RenderMaterial& material, const RenderGlobal& gl
                         R"(,"KHR_materials_volume":{{"thicknessFactor":1}})",
                         pbr.transmission, pbr.ior);
   }
-  return text + fmt::format(R"(,"extensions":{{{}}},"extras":{}}})", more, extras(phong));
+  return text + fmt::format(R"(,"extensions":{{{}}},"extras":{}}})", more, extras(phong, path));
 }
 
 }  // namespace scenefile

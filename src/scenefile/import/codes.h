@@ -10,7 +10,10 @@ inline constexpr Code import_codes[] = {
      "The file has none, and without them nothing would be visible. Change them in the scene."},
     {"import.left-out", Severity::warning, "a part of the file is left out",
      "Scenes have triangles, Phong materials, textures, lights and a camera. Animations, skins, "
-     "points, lines, normal maps and other features of models have no equivalent."},
+     "points, lines, normal maps and other features of models have no equivalent. Emission belongs "
+     "to the .mtl files of meshes, and counts only in scenes without lights (docs/path.md): use "
+     "the "
+     "OBJ file as a mesh to keep it."},
     {"import.limit", Severity::error, "the model is larger than the limits allow",
      "The limits keep a faulty or malicious file from taking all memory; --limit raises them.",
      CodeKind::limit},

@@ -27,4 +27,9 @@ void complete_scene(Scene& scene, const Bounds& box, Diagnostics& diagnostics) {
   }
 }
 
+void report_emission(Diagnostics& diagnostics) {
+  diagnostics.report("import.left-out"_code, {},
+                     "what materials emit becomes their ambient color, which lights nothing else");
+}
+
 }  // namespace scenefile

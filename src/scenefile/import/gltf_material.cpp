@@ -4,6 +4,7 @@
 #include "scenefile/base/components.h"
 #include "scenefile/export/phong_pbr.h"
 #include "scenefile/import/codes.h"
+#include "scenefile/import/complete_scene.h"
 #include "scenefile/import/picture_file.h"
 
 #include <fmt/format.h>
@@ -50,7 +51,7 @@ PbrMaterial read_pbr(const JsonValue& json) {
 }
 
 std::optional<PhongColors> read_extras(const JsonValue& extras) {
-  const auto ambient = extras["ambient"].color();
+  const auto ambient = extras[extras["emission"] ? "emission" : "ambient"].color();
   const auto diffuse = extras["diffuse"].color();
   const auto specular = extras["specular"].color();
   const auto reflective = extras["reflective"].color();
@@ -141,10 +142,16 @@ GltfMaterial GltfMaterials::make(const JsonValue& json) {
   const PbrMaterial pbr = read_pbr(json);
   const JsonValue texture = json["pbrMetallicRoughness"]["baseColorTexture"];
   PhongColors phong = phong_of(pbr);
-  const std::optional<PhongColors> own = read_extras(json["extras"]["scenefile"]);
+  const JsonValue extras = json["extras"]["scenefile"];
+  const std::optional<PhongColors> own = read_extras(extras);
   const bool known = own && still_fits(pbr_of(*own), pbr, static_cast<bool>(texture));
   if (known) {
     phong = *own;
+  }
+  if (largest(pbr.emissive) > 0 && !(known && extras["ambient"])) {
+    if (left_out_.emplace("emission").second) {
+      report_emission(diagnostics_);
+    }
   }
   const auto base = json["pbrMetallicRoughness"]["baseColorFactor"].numbers(4);
   const float alpha = base ? static_cast<float>(std::clamp((*base)[3], 0.0, 1.0)) : 1;

@@ -3,6 +3,7 @@
 #include "scenefile/asset/image_file.h"
 #include "scenefile/asset/mtl_file.h"
 #include "scenefile/asset/read_obj.h"
+#include "scenefile/base/components.h"
 #include "scenefile/base/text.h"
 #include "scenefile/export/flat_mesh.h"
 #include "scenefile/import/codes.h"
@@ -33,10 +34,11 @@ struct Faces {
   std::vector<Corners> uvs;
 };
 
-// Ka 1 1 1 is the default of many programs, and would be too bright here.
+// With emission, as phong_of() has it for glTF. Ka 1 1 1 is the default of many programs, and would
+// be too bright here.
 glm::vec3 ambient_of(const MtlMaterial& mtl, const glm::vec3& diffuse) {
   const glm::vec3 ambient = mtl.ambient.value_or(glm::vec3(0));
-  return ambient == glm::vec3(1) ? 0.1f * diffuse : ambient;
+  return (ambient == glm::vec3(1) ? 0.1f * diffuse : ambient) + mtl.emission.value_or(glm::vec3(0));
 }
 
 // With the defaults of the format.
@@ -98,6 +100,9 @@ class ObjSceneReader {
     result_.scene.global = {1, 1, 1, 1.0f, {}};
     for (const Faces& faces : faces_) {
       add_object(faces);
+    }
+    if (emits_) {
+      report_emission(diagnostics_);
     }
     if (!diagnostics_.has_errors()) {
       complete_scene(result_.scene, box_, diagnostics_);
@@ -199,6 +204,7 @@ class ObjSceneReader {
       return {};
     }
     Material material = phong_material(found->second);
+    emits_ = emits_ || largest(found->second.emission.value_or(glm::vec3(0))) > 0;
     const std::string picture = this->picture(found->second.diffuse_map.name, material.diffuse);
     if (!picture.empty()) {
       material.texture = TextureUse{picture, 1, 1, {}};
@@ -244,6 +250,7 @@ class ObjSceneReader {
   Bounds box_;
   std::vector<Faces> faces_;
   bool has_libraries_ = false;
+  bool emits_ = false;  // a material that is used
   std::map<std::string, MtlMaterial, std::less<>> materials_;
   std::map<std::tuple<std::string, float, float, float>, std::string> pictures_;
   std::uint64_t texture_budget_;

@@ -36,28 +36,41 @@ struct FoundForm {
   bool dialect = false;
 };
 
-FoundForm find_form(const XmlTag& tag, const AttributeForm& form, std::size_t parts) {
+// Of attributes whose names differ only in letter case the one in that of the form.
+const XmlAttribute* find_name(const XmlTag& tag, std::string_view name, bool any_case) {
+  const XmlAttribute* const exact = tag.find(name);
+  if (exact != nullptr || !any_case) {
+    return exact;
+  }
+  const auto found =
+      std::find_if(tag.attributes.begin(), tag.attributes.end(),
+                   [&](const XmlAttribute& a) { return equal_ignoring_case(a.name, name); });
+  return found == tag.attributes.end() ? nullptr : &*found;
+}
+
+FoundForm find_form(const XmlTag& tag, const AttributeForm& form, std::size_t parts,
+                    bool any_case) {
   FoundForm found;
   found.dialect = form.dialect;
   for (std::size_t i = 0; i < parts; ++i) {
-    found.parts[i] = tag.find(form.names[i]);
+    found.parts[i] = find_name(tag, form.names[i], any_case);
     found.count += found.parts[i] != nullptr;
   }
   return found;
 }
 
 // The form with the most matching names; missing parts are taken from other forms.
-FoundForm find_best_form(const XmlTag& tag, const Signature& signature) {
+FoundForm find_best_form(const XmlTag& tag, const Signature& signature, bool any_case) {
   FoundForm best;
   for (const AttributeForm& form : signature.forms) {
-    const FoundForm found = find_form(tag, form, signature.parts);
+    const FoundForm found = find_form(tag, form, signature.parts, any_case);
     best = found.count > best.count ? found : best;
   }
   if (best.count == 0 || best.count == signature.parts) {
     return best;
   }
   for (const AttributeForm& form : signature.forms) {
-    const FoundForm found = find_form(tag, form, signature.parts);
+    const FoundForm found = find_form(tag, form, signature.parts, any_case);
     for (std::size_t i = 0; i < signature.parts; ++i) {
       if (best.parts[i] == nullptr && found.parts[i] != nullptr) {
         best.parts[i] = found.parts[i];
@@ -80,7 +93,7 @@ std::vector<std::string_view> missing_names(const Signature& signature, const Pa
   const AttributeForm* form = &signature.forms.front();
   for (const AttributeForm& candidate : signature.forms) {
     for (std::size_t i = 0; i < signature.parts; ++i) {
-      if (parts[i] != nullptr && parts[i]->name == candidate.names[i] &&
+      if (parts[i] != nullptr && equal_ignoring_case(parts[i]->name, candidate.names[i]) &&
           form->names[i] != candidate.names[i]) {
         form = &candidate;
       }
@@ -95,13 +108,25 @@ std::vector<std::string_view> missing_names(const Signature& signature, const Pa
   return missing;
 }
 
-// The names of all parts, of missing ones as in missing_names().
+// The form that names the part so, in any letter case; null if none does.
+const AttributeForm* form_of(const Signature& signature, std::size_t part, std::string_view name) {
+  const auto found = std::find_if(
+      signature.forms.begin(), signature.forms.end(),
+      [&](const AttributeForm& form) { return equal_ignoring_case(form.names[part], name); });
+  return found == signature.forms.end() ? nullptr : &*found;
+}
+
+// The format's names of all parts, of missing ones as in missing_names().
 std::vector<std::string_view> names_of_parts(const Signature& signature, const Parts& parts) {
   const std::vector<std::string_view> missing = missing_names(signature, parts);
   std::vector<std::string_view> names;
   auto next = missing.begin();
   for (std::size_t i = 0; i < signature.parts; ++i) {
-    names.push_back(parts[i] != nullptr ? parts[i]->name : *next++);
+    const AttributeForm* const form =
+        parts[i] != nullptr ? form_of(signature, i, parts[i]->name) : nullptr;
+    names.push_back(parts[i] == nullptr ? *next++
+                    : form != nullptr   ? form->names[i]
+                                        : parts[i]->name);
   }
   return names;
 }
@@ -335,11 +360,27 @@ std::optional<Parts> by_order(const XmlContext& context, const XmlTag& tag,
   return all_attributes(tag);
 }
 
+// Reports the parts that have a name of the format but for its letter case. Those that also have
+// another name are left to report_alias().
+void report_case(const XmlContext& context, const XmlTag& tag, const Signature& signature,
+                 const Parts& parts) {
+  for (std::size_t i = 0; i < signature.parts; ++i) {
+    const AttributeForm* const form =
+        parts[i] != nullptr ? form_of(signature, i, parts[i]->name) : nullptr;
+    if (form != nullptr && !form->dialect && parts[i]->name != form->names[i]) {
+      context.report("xml.name-case"_code, *parts[i],
+                     fmt::format("attribute {} of {} was read as {}", parts[i]->name,
+                                 element_text(tag.name), form->names[i]),
+                     correction(parts[i]->name, form->names[i]));
+    }
+  }
+}
+
 void report_alias(const XmlContext& context, const XmlTag& tag, const Signature& signature,
                   const Parts& parts) {
   const AttributeForm& canonical = signature.forms.front();
   for (std::size_t i = 0; i < signature.parts; ++i) {
-    if (parts[i] != nullptr && parts[i]->name != canonical.names[i]) {
+    if (parts[i] != nullptr && !equal_ignoring_case(parts[i]->name, canonical.names[i])) {
       context.report("xml.alias-attribute"_code, *parts[i],
                      fmt::format("attribute {} of {} was read as {}", parts[i]->name,
                                  element_text(tag.name), canonical.names[i]),
@@ -493,7 +534,11 @@ std::optional<Parts> find_parts(const XmlContext& context, const XmlTag& tag,
   if (is_canonical(tag, signature)) {
     return all_attributes(tag);
   }
-  FoundForm found = find_best_form(tag, signature);
+  FoundForm found = find_best_form(tag, signature, false);
+  // A single attribute may have any name, and the course's programs use only the order.
+  if (found.count < signature.parts && signature.parts > 1 && !context.options.compat_course) {
+    found = find_best_form(tag, signature, true);
+  }
   if (found.count < signature.parts && tag.attributes.size() == signature.parts &&
       all_names_foreign(tag, signature)) {
     return by_order(context, tag, signature);
@@ -504,6 +549,7 @@ std::optional<Parts> find_parts(const XmlContext& context, const XmlTag& tag,
   if (found.dialect) {
     report_alias(context, tag, signature, found.parts);
   }
+  report_case(context, tag, signature, found.parts);
   const bool by_order_too = signature.free_names && take_rest(context, tag, signature, found.parts);
   const std::vector<std::string_view> names = names_of_parts(signature, found.parts);
   settle_others(context, tag, signature, found.parts);

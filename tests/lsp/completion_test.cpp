@@ -45,6 +45,49 @@ TEST(LspCompletion, AttributesAndValues) {
   EXPECT_EQ(inserted("<mood |", "v"), "-");
 }
 
+const std::string templates =
+    "<scenefile><object type=\"tree\" name=\"leg &amp; foot\"/>"
+    "<object type=\"tree\" name=\"chair\"><transblock>";
+
+TEST(LspCompletion, NamesByTheTypeOfTheObject) {
+  const std::string rest = "</transblock></object></scenefile>";
+  const std::string master = templates + "<object type=\"master\" name=\"|\"/>" + rest;
+  EXPECT_EQ(inserted(master, "leg & foot"), "leg &amp; foot");
+  EXPECT_EQ(inserted(master, "chair"), "-") << "it would contain itself";
+  EXPECT_EQ(inserted(master, "cube"), "-");
+  EXPECT_EQ(inserted(templates + "<object name=\"|\" type='Master'/>" + rest, "leg & foot"),
+            "leg &amp; foot");
+  const std::string primitive = templates + "<object type=\"primitive\" name=\"|\"/>" + rest;
+  EXPECT_EQ(inserted(primitive, "cube"), "cube");
+  EXPECT_EQ(inserted(primitive, "leg & foot"), "-");
+  EXPECT_EQ(inserted(templates + "<object name=\"|\"/>" + rest, "leg & foot"), "leg &amp; foot");
+  EXPECT_EQ(inserted("<scenefile><object type=\"tree\" name=\"|\"/>", "root"), "root");
+  EXPECT_EQ(inserted("<scenefile><object type=\"tree\" name=\"|\"/>", "cube"), "-");
+  EXPECT_EQ(inserted("<object type=\"master\" |/>", "filename"), "-");
+}
+
+TEST(LspCompletion, ElementsByTheTypeOfTheObject) {
+  const std::string tree = "<scenefile><object type=\"tree\" name=\"root\"><|";
+  EXPECT_EQ(inserted(tree, "transblock"), "transblock></transblock>");
+  EXPECT_EQ(inserted(tree, "diffuse"), "-");
+  const std::string primitive =
+      "<scenefile><object type=\"tree\"><transblock><object name='cube' type='primitive'><|";
+  EXPECT_EQ(inserted(primitive, "transblock"), "-");
+  EXPECT_EQ(inserted(primitive, "diffuse"), "diffuse r=\"\" g=\"\" b=\"\"/>");
+  EXPECT_EQ(inserted("<scenefile><object type=\"master\"><|", "transblock"), "-");
+  EXPECT_EQ(inserted("<scenefile><object type=\"\"><|", "transblock"), "transblock></transblock>");
+}
+
+TEST(LspCompletion, TemplatesInJson) {
+  const std::string before = R"({"templateGroups": [{"name": "a\"b", "groups": [{"name": "x"}]}, )"
+                             R"({"name": "chair", "groups": [{"name": )";
+  EXPECT_EQ(inserted(before + R"("|"}]}]})", R"("a\"b")"), R"("a\"b")");
+  EXPECT_EQ(inserted(before + R"("|"}]}]})", "\"chair\""), "-") << "it would contain itself";
+  EXPECT_EQ(inserted(before + R"("x"}]}], "groups": [{"name": "|"}]})", "\"chair\""), "\"chair\"");
+  EXPECT_EQ(inserted(before + R"("x"}]}], "groups": [{"name": "|"}]})", "\"x\""), "-");
+  EXPECT_EQ(inserted(before + R"("x"}]}, {"name": "|"}]})", "\"chair\""), "-");
+}
+
 TEST(LspCompletion, KeysAndValuesOfJson) {
   EXPECT_EQ(inserted("{|", "\"globalData\""), "\"globalData\": {}");
   EXPECT_EQ(inserted(R"({"globalData": {"am|"}})", "\"ambientCoeff\""), "\"ambientCoeff\": 0.5");

@@ -1,7 +1,11 @@
 #include "scenefile/lsp/completion.h"
 
 #include "scenefile/base/ascii.h"
+#include "scenefile/base/shape.h"
+#include "scenefile/base/text.h"
 #include "scenefile/format/json_parser.h"
+#include "scenefile/format/write_text.h"
+#include "scenefile/lsp/outline.h"
 #include "scenefile/scene/vocabulary_words.h"
 
 #include <fmt/format.h>
@@ -35,21 +39,25 @@ std::size_t end_of_word(std::string_view text, std::size_t at) {
   return at;
 }
 
-// A tag that is not finished before a place.
+struct GivenAttribute {
+  std::string_view name;
+  std::string_view value;  // empty until its closing quote
+};
+
 struct OpenTag {
   bool closing = false;
   std::size_t name_start = 0;
   std::size_t name_end = 0;
   std::string_view name;
-  std::vector<std::string_view> attributes;  // those with a =
-  char quote = '\0';                         // of the value at the place, or none
-  std::size_t value = 0;                     // where that begins
+  std::vector<GivenAttribute> attributes;  // those with a =
+  char quote = '\0';                       // of the value at the place, or none
+  std::size_t value = 0;                   // where that begins
 };
 
 struct XmlPlace {
   bool in_markup = false;  // a comment, CDATA, a declaration
-  std::vector<std::string_view> open;
-  std::optional<OpenTag> tag;
+  std::vector<OpenTag> open;
+  std::optional<OpenTag> tag;  // the one that is not finished before the place
 };
 
 // Reads the tag at `at` up to `end`. Returns whether it ends before; moves `at` to its end, or to
@@ -64,7 +72,12 @@ bool read_tag(std::string_view text, std::size_t end, std::size_t& at, OpenTag& 
   for (; i < end; ++i) {
     const char c = text[i];
     if (tag.quote != '\0') {
-      tag.quote = c == tag.quote ? '\0' : tag.quote;
+      if (c == tag.quote) {
+        tag.quote = '\0';
+        if (!tag.attributes.empty()) {
+          tag.attributes.back().value = text.substr(tag.value, i - tag.value);
+        }
+      }
     } else if (c == '"' || c == '\'') {
       tag.quote = c;
       tag.value = i + 1;
@@ -79,7 +92,7 @@ bool read_tag(std::string_view text, std::size_t end, std::size_t& at, OpenTag& 
       word = text.substr(i, word_stop - i);
       i = word_stop - 1;
     } else if (c == '=') {
-      tag.attributes.push_back(word);
+      tag.attributes.push_back({word, {}});
     }
   }
   at = std::string_view::npos;
@@ -114,16 +127,64 @@ XmlPlace xml_place(std::string_view text, std::size_t offset) {
       continue;
     }
     if (tag.closing) {
-      const auto last = std::find(place.open.rbegin(), place.open.rend(), tag.name);
+      const auto last = std::find_if(place.open.rbegin(), place.open.rend(),
+                                     [&](const OpenTag& open) { return open.name == tag.name; });
       if (last != place.open.rend()) {
         place.open.erase(last.base() - 1, place.open.end());
       }
     } else if (text[at - 1] != '/') {
-      place.open.push_back(tag.name);
+      place.open.push_back(std::move(tag));
     }
     ++at;
   }
   return place;
+}
+
+// The tag that is open at the place, with what follows there.
+OpenTag whole_tag(std::string_view text, const OpenTag& tag) {
+  OpenTag whole;
+  std::size_t at = tag.name_start - 1;
+  read_tag(text, text.size(), at, whole);
+  return whole;
+}
+
+bool has_attribute(const OpenTag& tag, std::string_view name) {
+  return std::any_of(tag.attributes.begin(), tag.attributes.end(),
+                     [&](const GivenAttribute& given) { return given.name == name; });
+}
+
+// Whether the tag is that of an object that may be of this type, also if its type is not known yet.
+bool may_be(const OpenTag& object, std::string_view type) {
+  const auto given =
+      std::find_if(object.attributes.begin(), object.attributes.end(),
+                   [](const GivenAttribute& attribute) { return attribute.name == "type"; });
+  const std::string_view word =
+      given == object.attributes.end() ? std::string_view() : given->value;
+  constexpr std::string_view types[] = {"tree", "master", "primitive"};
+  const bool known = std::any_of(std::begin(types), std::end(types),
+                                 [&](std::string_view t) { return equal_ignoring_case(t, word); });
+  return !known || equal_ignoring_case(type, word);
+}
+
+// Trees have transblocks, primitives the rest.
+bool belongs_in(std::string_view child, const OpenTag& parent) {
+  return parent.name != "object" || may_be(parent, child == "transblock" ? "tree" : "primitive");
+}
+
+// The templates of the file that can be used at the place: not the one around it.
+std::vector<std::string> template_names(std::string_view text, std::size_t offset) {
+  Outline outline = read_outline(text);
+  const auto around =
+      std::find_if(outline.parts.begin(), outline.parts.end(), [&](const OutlinePart& part) {
+        return part.kind == OutlineKind::tree && part.from < offset && offset < part.to;
+      });
+  std::vector<std::string> names;
+  for (NameUse& use : outline.names) {
+    if (use.declares && (around == outline.parts.end() || around->name != use.name)) {
+      names.push_back(std::move(use.name));
+    }
+  }
+  return names;
 }
 
 std::string inserted_tag(const ElementWord& element) {
@@ -150,46 +211,75 @@ bool tag_goes_on(std::string_view text, std::size_t name_end) {
 }
 
 Completion complete_name(std::string_view text, const OpenTag& tag, std::size_t offset,
-                         const std::vector<std::string_view>& open) {
+                         const std::vector<OpenTag>& open) {
   constexpr std::string_view top[] = {"scenefile"};
-  const ElementWord* const parent = open.empty() ? nullptr : find_element(open.back());
+  const ElementWord* const parent = open.empty() ? nullptr : find_element(open.back().name);
   const bool only_name = tag_goes_on(text, tag.name_end);
   Completion result{tag.name_start, only_name ? tag.name_end : offset, {}};
   for (const std::string_view name : open.empty()        ? std::span(top)
                                      : parent != nullptr ? parent->children
                                                          : std::span<const std::string_view>()) {
+    if (!open.empty() && !belongs_in(name, open.back())) {
+      continue;
+    }
     const ElementWord& element = *find_element(name);
     result.items.push_back({std::string(name), WordKind::element, element.about,
                             only_name ? std::string(name) : inserted_tag(element)});
   }
   if (!open.empty() && tag.name_start == offset) {
-    const std::string end = fmt::format("/{}", open.back());
+    const std::string end = fmt::format("/{}", open.back().name);
     result.items.push_back({end, WordKind::element, {}, only_name ? end : end + ">"});
   }
   return result;
 }
 
 Completion complete_end(std::string_view text, const OpenTag& tag, std::size_t offset,
-                        const std::vector<std::string_view>& open) {
+                        const std::vector<OpenTag>& open) {
   Completion result{tag.name_start, std::max(tag.name_end, offset), {}};
   if (!open.empty()) {
-    const std::string name(open.back());
+    const std::string name(open.back().name);
     const bool ended = next_character(text, tag.name_end) == '>';
     result.items.push_back({name, WordKind::element, {}, ended ? name : name + ">"});
   }
   return result;
 }
 
+// The names that have a meaning for an object of that type; any other tree is free to choose.
+std::vector<std::string> object_names(std::string_view text, const OpenTag& tag, std::size_t offset,
+                                      bool top) {
+  const OpenTag object = whole_tag(text, tag);
+  std::vector<std::string> names;
+  if (may_be(object, "primitive")) {
+    names.insert(names.end(), shape_words.begin(), shape_words.end());
+  }
+  if (may_be(object, "master")) {
+    const std::vector<std::string> templates = template_names(text, offset);
+    names.insert(names.end(), templates.begin(), templates.end());
+  }
+  if (may_be(object, "tree") && top) {
+    names.emplace_back("root");
+  }
+  return names;
+}
+
 Completion complete_value(std::string_view text, const OpenTag& tag, std::size_t offset,
-                          const ElementWord& element) {
+                          const ElementWord& element, const std::vector<OpenTag>& open) {
   const std::size_t word = end_of_word(text, offset);
   const bool closed = word < text.size() && text[word] == tag.quote;
   Completion result{tag.value, closed ? word : offset, {}};
   const AttributeWord* const attribute =
-      tag.attributes.empty() ? nullptr : find_attribute(element, tag.attributes.back());
-  for (const std::string_view value :
-       attribute != nullptr ? attribute->values : std::span<const std::string_view>()) {
-    result.items.push_back({std::string(value), WordKind::value, {}, std::string(value)});
+      tag.attributes.empty() ? nullptr : find_attribute(element, tag.attributes.back().name);
+  if (attribute == nullptr) {
+    return result;
+  }
+  std::vector<std::string> values(attribute->values.begin(), attribute->values.end());
+  if (element.name == "object" && attribute->name == "name") {
+    values = object_names(text, tag, offset, open.size() == 1);
+  }
+  for (std::string& value : values) {
+    std::string written;
+    append_xml(written, value);
+    result.items.push_back({std::move(value), WordKind::value, {}, std::move(written)});
   }
   return result;
 }
@@ -201,14 +291,15 @@ Completion complete_attribute(std::string_view text, const OpenTag& tag, std::si
   const bool replaces = from < offset;
   const bool has_value = replaces && next_character(text, word) == '=';
   const std::string_view value = has_value ? "" : !replaces && word > offset ? "=\"\" " : "=\"\"";
-  OpenTag whole;  // with the attributes after the place
-  std::size_t at = tag.name_start - 1;
-  read_tag(text, text.size(), at, whole);
+  const OpenTag whole = whole_tag(text, tag);
   Completion result{from, replaces ? word : offset, {}};
   for (const AttributeWord& attribute : element.attributes) {
-    const bool given = std::find(whole.attributes.begin(), whole.attributes.end(),
-                                 attribute.name) != whole.attributes.end();
-    if (!given || (has_value && attribute.name == text.substr(from, word - from))) {
+    const bool of_mesh = attribute.name == "filename" || attribute.name == "meshfile";
+    if (of_mesh && !may_be(whole, "primitive")) {
+      continue;
+    }
+    if (!has_attribute(whole, attribute.name) ||
+        (has_value && attribute.name == text.substr(from, word - from))) {
       result.items.push_back({std::string(attribute.name), WordKind::attribute, attribute.about,
                               fmt::format("{}{}", attribute.name, value)});
     }
@@ -232,7 +323,7 @@ Completion complete_xml(std::string_view text, std::size_t offset) {
   if (element == nullptr) {
     return {};
   }
-  return tag.quote != '\0' ? complete_value(text, tag, offset, *element)
+  return tag.quote != '\0' ? complete_value(text, tag, offset, *element, place.open)
                            : complete_attribute(text, tag, offset, *element);
 }
 
@@ -313,9 +404,16 @@ Completion complete_json(std::string_view text, std::size_t offset) {
     return result;
   }
   const KeyWord* const key = find_key(*object, here.key);
-  for (const std::string_view value :
-       key != nullptr ? key->values : std::span<const std::string_view>()) {
-    const std::string word = fmt::format("\"{}\"", value);
+  if (key == nullptr) {
+    return result;
+  }
+  std::vector<std::string> values(key->values.begin(), key->values.end());
+  if (object->name == "group" && key->name == "name") {
+    values = template_names(text, offset);
+  }
+  for (const std::string& value : values) {
+    std::string word;
+    append_json(word, value);
     result.items.push_back({word, WordKind::value, {}, word});
   }
   return result;

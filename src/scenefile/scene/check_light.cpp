@@ -57,7 +57,11 @@ void check_direction(const Light& light, const Subject& subject, Reporter& repor
   if (reporter.finite(subject, Field::direction, "direction", light.direction) &&
       light.direction == glm::vec3(0)) {
     reporter.report("light.direction-zero"_code, subject, Field::direction,
-                    fmt::format("the {} needs a direction other than 0 0 0", subject.what));
+                    reporter.gives(subject, Field::direction)
+                        ? fmt::format("the {} needs a direction other than 0 0 0", subject.what)
+                        : fmt::format("the {} has no direction; write the one in which its light "
+                                      "travels",
+                                      subject.what));
   }
 }
 

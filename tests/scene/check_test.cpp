@@ -278,7 +278,7 @@ void add_cases_of_lights(std::vector<Case>& cases) {
                          }),
                    light(spot, [](Light&) {}), "lights nothing"});
   cases.push_back({&"light.angle-range"_code, light(spot, [](Light& l) { l.angle_deg = 181.0f; }),
-                   light(spot, [](Light& l) { l.angle_deg = 180.0f; }), "angle 181"});
+                   light(spot, [](Light& l) { l.angle_deg = 180.0f; }), "counts as 180"});
   cases.push_back({&"light.angle-range"_code, light(spot, [](Light& l) { l.angle_deg = 0.0f; }),
                    light(point, [](Light& l) { l.angle_deg = 0.0f; }), "angle 0"});
   cases.push_back({&"light.penumbra-negative"_code,

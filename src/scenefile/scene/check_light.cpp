@@ -71,9 +71,10 @@ void check_angle(const Light& light, const Subject& subject, Reporter& reporter)
     return;
   }
   if (!row_of(light_rows, Field::angle_deg).range.contains(angle)) {
-    reporter.report("light.angle-range"_code, subject, Field::angle_deg,
-                    fmt::format("angle {} of the spotlight is not between 0 and 180 degrees{}",
-                                number_text(angle), angle <= 0 ? "; it lights nothing" : ""));
+    reporter.report(
+        "light.angle-range"_code, subject, Field::angle_deg,
+        fmt::format("angle {} of the spotlight is not between 0 and 180 degrees{}",
+                    number_text(angle), angle <= 0 ? "; it lights nothing" : "; it counts as 180"));
   } else if (light.penumbra_deg > angle) {
     reporter.report(
         "light.penumbra-over-angle"_code, subject, Field::penumbra_deg,

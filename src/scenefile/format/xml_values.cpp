@@ -403,7 +403,11 @@ bool is_canonical(const XmlTag& tag, const Signature& signature) {
   return true;
 }
 
-std::string number_hint(std::string_view meant) {
+std::string number_hint(std::string_view written, std::string_view meant) {
+  const std::string word = lower_case(written);
+  if (word.ends_with("rad") || word.ends_with("radians")) {
+    return "; angles are in degrees, without a unit";
+  }
   return meant.empty() ? "; numbers are written like 1.5 or -2e3" : did_you_mean(meant);
 }
 
@@ -621,9 +625,10 @@ bool read_number(const XmlContext& context, const XmlTag& tag, const XmlAttribut
   }
   const std::string meant = nearest_number(attribute.value);
   if (!context.options.compat_course) {
-    context.report("xml.number"_code, attribute,
-                   fmt::format("{}: {} is not a number{}", what, value, number_hint(meant)),
-                   number_correction(attribute.value, meant));
+    context.report(
+        "xml.number"_code, attribute,
+        fmt::format("{}: {} is not a number{}", what, value, number_hint(attribute.value, meant)),
+        number_correction(attribute.value, meant));
     return false;
   }
   number = static_cast<float>(parsed.value);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <unordered_set>
 #include <utility>
 
 namespace scenefile {
@@ -50,6 +51,22 @@ void make_template(Scene& scene, NodeId nested) {
   scene.nodes[added].location = scene.nodes[nested].location;
   scene.nodes[added].children = std::exchange(scene.nodes[nested].children, {});
   scene.nodes[nested].instance_of = scene.nodes[nested].name;
+}
+
+// Of the trees that no other uses the only one, or the one whose name is nearest to root; empty if
+// there is none.
+std::string_view probable_root(const Scene& scene) {
+  std::unordered_set<std::string_view> used;
+  for (const Node& node : scene.nodes) {
+    used.insert(node.instance_of);
+  }
+  std::vector<std::string_view> unused;
+  for (const NodeId id : scene.templates) {
+    if (!used.contains(scene.nodes[id].name)) {
+      unused.push_back(scene.nodes[id].name);
+    }
+  }
+  return unused.size() == 1 ? unused[0] : nearest_name("root", unused);
 }
 
 }  // namespace
@@ -168,13 +185,12 @@ void XmlReferences::resolve_root(const XmlContext& context, Scene& scene,
     return;
   }
   std::string message = "the scene has no tree named root, so the picture is empty";
-  std::optional<Correction> only;
-  if (templates.size() == 1) {
-    const std::string name = scene.nodes[templates[0]].name;
-    message += did_you_mean(quoted(name));
-    only = Correction{name, "root", false, declared_.at(name)};
+  std::optional<Correction> meant;
+  if (const std::string name(probable_root(scene)); !name.empty()) {
+    message += fmt::format("; is {} meant as root?", quoted(name));
+    meant = Correction{name, "root", false, declared_.at(name)};
   }
-  context.diagnostics.report("xml.no-root"_code, scenefile, std::move(message), std::move(only));
+  context.diagnostics.report("xml.no-root"_code, scenefile, std::move(message), std::move(meant));
 }
 
 }  // namespace scenefile

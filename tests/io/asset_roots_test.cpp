@@ -264,6 +264,26 @@ TEST_F(Layout, TheMessageDoesNotRevealFilesOutside) {
   EXPECT_EQ(there, absent);
 }
 
+TEST_F(Layout, AMissNamesTheFileThatWasProbablyMeant) {
+  home.write("scenes/parts/Roof.obj");
+  home.write("scenes/walls.png");
+  EXPECT_THAT(misses("models/rof.obj"), HasSubstr("no such file\ndid you mean parts/Roof.obj?\n"));
+  for (const char* const other : {"rof.png", "a.obj", "roofs-and-walls.obj"}) {
+    EXPECT_THAT(misses(other), Not(HasSubstr("did you mean"))) << other;
+  }
+}
+
+TEST_F(Layout, ProbableFilesAreInsideTheRoots) {
+  home.write("secret/roof.obj");
+  home.write("secret/wall.obj");
+  ASSERT_EQ(::symlink(home.path("secret/wall.obj").c_str(), home.path("scenes/wall.obj").c_str()),
+            0);
+  EXPECT_THAT(misses("rof.obj"), Not(HasSubstr("did you mean")));
+  EXPECT_THAT(misses("wal.obj"), Not(HasSubstr("did you mean")));
+  AssetRoots roots = roots_of(home, {"secret"});
+  EXPECT_THAT(misses(roots, "rof.obj"), HasSubstr("did you mean ../secret/roof.obj?"));
+}
+
 TEST_F(Layout, ListsTheSearchedPlaces) {
   const ResolvedAsset asset = roots_of(home).resolve("image/no.png");
   EXPECT_THAT(asset.tried, ::testing::Contains(home.path("scenes/image/no.png")));

@@ -1,5 +1,6 @@
 #include "scenefile/io/asset_index.h"
 
+#include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/asset_name.h"
 #include "scenefile/io/folder.h"
@@ -14,6 +15,12 @@ namespace {
 
 std::string base_name_of(std::string_view path) {
   return std::string(path.substr(path.rfind('/') + 1));
+}
+
+// With its point; empty if there is none.
+std::string_view extension_of(std::string_view name) {
+  const std::size_t point = name.rfind('.');
+  return point == std::string_view::npos ? std::string_view() : name.substr(point);
 }
 
 // Visits one folder: adds its files, queues its subfolders. Skips hidden entries, which hold
@@ -68,6 +75,20 @@ AssetIndex::AssetIndex(const std::vector<std::string>& roots, std::size_t max_en
   for (auto& [name, paths] : by_lower_name_) {
     std::sort(paths.begin(), paths.end());
   }
+}
+
+std::vector<std::string> AssetIndex::find_similar(std::string_view base_name) const {
+  const std::string wanted = lower_case(base_name);
+  const std::string_view extension = extension_of(wanted);
+  std::vector<std::string_view> stems;
+  for (const auto& [name, paths] : by_lower_name_) {
+    if (extension_of(name) == extension) {
+      stems.push_back(std::string_view(name).substr(0, name.size() - extension.size()));
+    }
+  }
+  const std::string_view stem =
+      nearest_name(std::string_view(wanted).substr(0, wanted.size() - extension.size()), stems);
+  return stem.empty() ? std::vector<std::string>() : find(std::string(stem).append(extension));
 }
 
 std::vector<std::string> AssetIndex::find(std::string_view base_name) const {

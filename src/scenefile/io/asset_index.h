@@ -2,9 +2,10 @@
 // Internal to io: an index of files in some folders, by base name.
 
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 namespace scenefile {
@@ -20,11 +21,13 @@ class AssetIndex {
 
   /// Paths of files with this base name, ignoring case.
   std::vector<std::string> find(std::string_view base_name) const;
+  /// Paths of the files whose name, with this extension, is most like this one; empty if none is.
+  std::vector<std::string> find_similar(std::string_view base_name) const;
   /// Roots that were too large to search.
   const std::vector<std::string>& skipped() const { return skipped_; }
 
  private:
-  std::unordered_map<std::string, std::vector<std::string>> by_lower_name_;
+  std::map<std::string, std::vector<std::string>, std::less<>> by_lower_name_;
   std::vector<std::string> skipped_;
 };
 

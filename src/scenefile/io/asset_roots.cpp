@@ -235,6 +235,7 @@ class AssetSearch {
     result_.error = name_.parts.empty() ? "it is the name of a folder" : obstacle_;
     if (result_.error.empty()) {
       result_.error = "no such file";
+      suggest();
       for (const std::string& path : result_.tried) {
         result_.notes.push_back("looked for " + from_scene(path));
       }
@@ -247,6 +248,21 @@ class AssetSearch {
     }
     if (!roots_.options_.allow_outside) {
       result_.notes.emplace_back("files elsewhere need --asset-root DIR or --allow-outside");
+    }
+  }
+
+  // Names a file only if the scene may open it, like all messages.
+  void suggest() {
+    if (roots_.suggestions_left_ == 0) {
+      return;
+    }
+    --roots_.suggestions_left_;
+    for (const std::string& path : roots_.index().find_similar(name_.parts.back())) {
+      if (roots_.contains(canonical(path))) {
+        result_.notes.push_back(
+            fmt::format("did you mean {}?", escaped(from_scene(path), PATH_MAX)));
+        return;
+      }
     }
   }
 

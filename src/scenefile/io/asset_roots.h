@@ -4,6 +4,7 @@
 
 #include "scenefile/io/file.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -70,9 +71,10 @@ class AssetRoots {
   AssetRootsOptions options_;
   std::string scene_folder_;  ///< empty for standard input, or if it does not exist
   std::string scene_parent_;
-  std::vector<std::string> given_;     ///< the asset roots that exist
-  std::vector<std::string> allowed_;   ///< all roots
-  std::unique_ptr<AssetIndex> index_;  ///< for searches by base name, built at the first one
+  std::vector<std::string> given_;      ///< the asset roots that exist
+  std::vector<std::string> allowed_;    ///< all roots
+  std::unique_ptr<AssetIndex> index_;   ///< for searches by base name, built at the first one
+  std::size_t suggestions_left_ = 100;  ///< each compares a name with all files
 };
 
 }  // namespace scenefile

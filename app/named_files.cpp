@@ -108,6 +108,11 @@ Result<void> add_named_files(const Command& command, const Options& options, Use
   return added;
 }
 
+bool names_file(const OptionRow& row) {
+  return contains(words_for_inputs, row.value) || contains(words_for_outputs, row.value) ||
+         row.value == "DIR";
+}
+
 bool writes_files(const Options& options) {
   return !options.output.empty() || options.to ||
          std::any_of(options.given.begin(), options.given.end(), [](const GivenOption& given) {

@@ -19,6 +19,9 @@ UsedFile named_file(std::string_view role, const std::string& path);
 /// folders, assets of scenes (app/load.h does), numbered files, files next to the output.
 Result<void> add_named_files(const Command& command, const Options& options, UsedFiles& files);
 
+/// Whether the value of the option names a file or a folder.
+bool names_file(const OptionRow& row);
+
 /// Whether the options name a file to write.
 bool writes_files(const Options& options);
 

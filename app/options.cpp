@@ -2,6 +2,7 @@
 
 #include "app/command.h"
 #include "app/course_program.h"
+#include "app/named_files.h"
 #include "app/names.h"
 #include "app/option_table.h"
 #include "app/realtime.h"
@@ -62,11 +63,25 @@ void set_up(CLI::App& parser, const Command& command, Options& options) {
   }
 }
 
+std::string needs_value(const OptionRow& row) {
+  return fmt::format("{0} needs a value: {0} {1}", row.name, row.value);
+}
+
+// Whether an option is where the value should be: "-o --size 320x240". "-" alone is standard input
+// or output.
+bool is_missing(const OptionRow& row, std::string_view value) {
+  return names_file(row) && value.size() > 1 && value.starts_with('-');
+}
+
 // Parses the given options, first those that affect the defaults of others.
 std::string set_given(Options& options) {
   std::stable_partition(options.given.begin(), options.given.end(),
                         [](const GivenOption& given) { return given.row->sets_defaults; });
   for (const auto& [row, value] : options.given) {
+    if (is_missing(*row, value)) {
+      return fmt::format("{}; a file {} is ./{}", needs_value(*row), quoted(value, 400),
+                         escaped(value, 400));
+    }
     if (const std::string wrong = row->parser.set(options, value); !wrong.empty()) {
       return fmt::format("{}: {}", row->name, wrong);
     }
@@ -89,7 +104,7 @@ std::string missing_value(const Command& command, std::string_view words) {
   const std::string_view name = words.substr(0, words.find(':'));
   for (const OptionRow* row : options_of(command)) {
     if (row->name == name) {
-      return fmt::format("{} needs a value: {} {}", name, name, row->value);
+      return needs_value(*row);
     }
   }
   return std::string(words);

@@ -175,6 +175,15 @@ TEST(Usage, ReportsMissingArguments) {
   is_misuse({"render", "a.xml", "-o", "picture"}, "the name must end in .png, .exr or .pfm");
 }
 
+TEST(Usage, AnOptionIsNotTheNameOfAFile) {
+  is_misuse({"render", "a.xml", "-o", "--size", "320x240"},
+            R"(--output needs a value: --output OUT; a file "--size" is ./--size)");
+  is_misuse({"grade", "class", "--references", "refs", "--gradescope", "-q"},
+            R"(--gradescope needs a value: --gradescope OUT; a file "-q" is ./-q)");
+  is_misuse({"diff", "a.png", "b.png", "--scene", "--json"}, "--scene needs a value");
+  is_misuse({"check", "a.xml", "--asset-root", "--quiet"}, "--asset-root needs a value");
+}
+
 TEST(Usage, TheCourseProfileRejectsSamples) {
   const std::vector<std::string> course{"render", "a.xml", "-o", "b.png", "--profile", "course"};
   for (const std::string option : {"--samples", "--min-samples", "--seed"}) {

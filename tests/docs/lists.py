@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Texts and the page that list features or folders of assets list those of the program.
+"""Texts, the page and the types of npm that list features, files or modes list those of the program.
 
     lists.py PROGRAM
 """
@@ -48,5 +48,14 @@ def check_folders():
     assert source == folders, f"asset_roots.cpp lists {source}, docs/assets.md {folders}"
 
 
+def check_pictures():
+    sources = "\n".join(path.read_text(encoding="utf-8") for path in (ROOT / "src/scenefile/asset").glob("*.cpp"))
+    endings = {word for words in re.findall(r'_codec\{\{"\w+", "([^"]+)"', sources) for word in words.split()}
+    assert len(endings) > 8, endings
+    page = re.search(r"pictureEndings = \[([^]]*)\]", text_of("web/src/files.js"))[1]
+    assert set(re.findall(r"'([^']+)'", page)) == endings, f"web/src/files.js lists {page}, not {sorted(endings)}"
+
+
 check_features()
 check_folders()
+check_pictures()

@@ -6,7 +6,8 @@ const maxFiles = 10_000;
 const maxBytes = 512 * 1024 * 1024;
 
 export const isSceneName = (path) => /\.(xml|json)$/i.test(path);
-export const isPictureName = (path) => /\.(png|jpe?g|gif|bmp|tga)$/i.test(path);
+export const pictureEndings = ['.png', '.jpg', '.jpeg', '.gif', '.bmp', '.tga', '.ppm', '.pgm', '.pnm', '.pfm', '.exr'];
+export const isPictureName = (path) => pictureEndings.some((ending) => path.toLowerCase().endsWith(ending));
 export const isModelName = (path) => /\.(glb|gltf|obj)$/i.test(path);
 export const baseName = (path) => path.slice(path.lastIndexOf('/') + 1);
 

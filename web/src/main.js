@@ -5,7 +5,7 @@ import { afterPause, byId, download, h } from './dom.js';
 import { Editor } from './editor.js';
 import { Engine } from './engine.js';
 import { explanation, lineOfObject } from './explain.js';
-import { baseName, fromDrop, fromInput, isModelName, isPictureName, isSceneName, packed, readAll } from './files.js';
+import { baseName, fromDrop, fromInput, isModelName, isPictureName, isSceneName, packed, pictureEndings, readAll } from './files.js';
 import { linkOf, sceneOf } from './link.js';
 import { Picture } from './picture.js';
 import * as store from './store.js';
@@ -1141,6 +1141,7 @@ for (const [button, input] of Object.entries(inputs)) {
     byId(input).click();
   });
 }
+byId('picture-input').accept = pictureEndings.join();
 for (const id of ['file-input', 'folder-input', 'picture-input']) {
   const input = byId(id);
   input.addEventListener('change', () => {

@@ -42,6 +42,15 @@ def check_features():
         assert copy == words, f"{where} lists {copy}, not {words}"
 
 
+def check_modes():
+    fish = answer("help", "--completion", "fish")
+    types = text_of("bindings/npm/lib/index.d.ts")
+    for option in ("profile", "mode"):
+        known = set(re.search(rf"explain' -l {option} -x -a '([^']+)'", fish)[1].split())
+        typed = set(re.findall(r"'(\w+)'", re.search(rf"{option}\?: ([^;]+);", types)[1]))
+        assert typed == known, f"index.d.ts lists {sorted(typed)} for {option}, not {sorted(known)}"
+
+
 def check_folders():
     folders = listed(text_of("docs/assets.md"), "in its parent folder, the folders ", " (the course's layouts)")
     source = listed(text_of("src/scenefile/io/asset_roots.cpp"), "sibling_folders{", "}")
@@ -57,5 +66,6 @@ def check_pictures():
 
 
 check_features()
+check_modes()
 check_folders()
 check_pictures()

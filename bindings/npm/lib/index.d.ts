@@ -88,8 +88,9 @@ export interface RenderOptions extends SceneOptions {
   width?: number;
   /** Default: 480. */
   height?: number;
-  profile?: 'fine' | 'course';
-  mode?: 'ray' | 'intersect' | 'normals';
+  /** `realtime` is for explain(): the package does not draw with OpenGL. */
+  profile?: 'course' | 'fine' | 'realtime';
+  mode?: 'ray' | 'intersect' | 'normals' | 'path';
   /** Names as in the course's configuration files. */
   features?: string[];
   samples?: number;
@@ -140,8 +141,11 @@ export interface RunResult {
   files: Map<string, Uint8Array>;
 }
 
-/** Runs any command of the program with files in memory. */
-export function run(words: string[], options?: { files?: Files; stdin?: string | Uint8Array }): Promise<RunResult>;
+/** Runs any command of the program with files in memory. `roots`: as for check(). */
+export function run(
+  words: string[],
+  options?: { files?: Files; stdin?: string | Uint8Array; roots?: string[] },
+): Promise<RunResult>;
 
 /** Thrown if a scene cannot be used for the requested operation. */
 export class SceneError extends Error {

@@ -129,17 +129,24 @@ std::string convert(LoadedScene& scene, const Options& options, std::vector<Impo
                     Context& context) {
   drop_notes(scene.diagnostics);
   const ConvertTo to = *options.to;
-  if (to == ConvertTo::xml || to == ConvertTo::json) {
-    return write_scene_file(scene, options, context);
-  }
-  const bool path = lit_by_faces_only(scene);
+  const bool path = lit_by_faces_only(scene);  // false without assets, which scene files do not need
   if (path) {
     use_face_materials(scene.ready.scene, scene.assets, assumed_transparent, to != ConvertTo::pov,
                        scene.diagnostics);
   }
-  return to == ConvertTo::pov   ? write_pov_file(scene, path, options, context)
-         : to == ConvertTo::obj ? write_obj_file(scene, path, options, files, context)
-                                : write_gltf_file(scene, path, options, context);
+  switch (to) {
+    case ConvertTo::xml:
+    case ConvertTo::json:
+      break;
+    case ConvertTo::pov:
+      return write_pov_file(scene, path, options, context);
+    case ConvertTo::glb:
+    case ConvertTo::gltf:
+      return write_gltf_file(scene, path, options, context);
+    case ConvertTo::obj:
+      return write_obj_file(scene, path, options, files, context);
+  }
+  return write_scene_file(scene, options, context);
 }
 
 // Which assets the format needs.

@@ -129,7 +129,8 @@ std::string convert(LoadedScene& scene, const Options& options, std::vector<Impo
                     Context& context) {
   drop_notes(scene.diagnostics);
   const ConvertTo to = *options.to;
-  const bool path = lit_by_faces_only(scene);  // false without assets, which scene files do not need
+  const bool path =
+      lit_by_faces_only(scene);  // false without assets, which scene files do not need
   if (path) {
     use_face_materials(scene.ready.scene, scene.assets, assumed_transparent, to != ConvertTo::pov,
                        scene.diagnostics);
@@ -214,23 +215,22 @@ ExitCode run_convert(const Options& options, Context& context) {
     say(findings_of(scene, options.quiet));
   }
   context.phase = "writing the file";
-  ExitCode status = status_of(scene);
-  report.error = "the scene cannot be used";
+  Outcome outcome = outcome_of(scene);
   report.bytes = text.size();
-  if (status == ExitCode::fine) {
-    const Outcome outcome = write_model(report.output, text, files, context);
-    status = outcome.status;
-    report.error = outcome.error;
+  if (outcome.status == ExitCode::fine) {
+    outcome = write_model(report.output, text, files, context);
   }
+  report.error = outcome.error;
   if (options.json) {
-    return used_standard_output() ? status : worse(status, answer(convert_json(scene, report)));
+    return used_standard_output() ? outcome.status
+                                  : answer_json(outcome, convert_json(scene, report));
   }
   if (status_of(scene) == ExitCode::fine && !report.error.empty()) {
     say_error(report.error);
-  } else if (status == ExitCode::fine && !options.quiet) {
+  } else if (outcome.status == ExitCode::fine && !options.quiet) {
     say_afterwards([&] { return summary_text(report); });
   }
-  return status;
+  return outcome.status;
 }
 
 }  // namespace scenefile::app

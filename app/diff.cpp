@@ -41,9 +41,11 @@ LoadedScene load(const std::string& path, const Options& options, Context& conte
 ExitCode diff_scenes(const Options& options, Context& context) {
   const LoadedScene a = load(options.arguments[0], options, context);
   const LoadedScene b = load(options.arguments[1], options, context);
-  const ExitCode status = worse(status_of(a), status_of(b));
-  if (status != ExitCode::fine) {
-    return options.json ? worse(status, answer(compare_scenes_json(a, b, nullptr))) : status;
+  Outcome unusable = outcome_of(status_of(a) == ExitCode::fine ? b : a);
+  unusable.status = worse(unusable.status, status_of(b));
+  if (unusable.status != ExitCode::fine) {
+    return options.json ? answer_json(unusable, compare_scenes_json(a, b, nullptr, unusable.error))
+                        : unusable.status;
   }
   context.phase = "comparing the scenes";
   const SceneDiff diff = compare_scenes(a, b);
@@ -146,9 +148,10 @@ std::string verdict_text(const PictureComparison& found, const Options& options)
                         });
 }
 
-// `scene`: that of --scene, or null. `found`: null if an input cannot be used.
+// `scene`: that of --scene, or null. `found`: null if an input cannot be used; `error` then says
+// so.
 std::string json_text(const LoadedPicture& a, const LoadedPicture& b, const LoadedScene* scene,
-                      const PictureComparison* found) {
+                      const PictureComparison* found, const std::string& error = {}) {
   Json json;
   begin_document(json, "diff");
   add_picture(json, "a", a);
@@ -156,6 +159,9 @@ std::string json_text(const LoadedPicture& a, const LoadedPicture& b, const Load
   if (scene != nullptr) {
     json.key("scene");
     json.raw(scene_json(*scene));
+  }
+  if (!error.empty()) {
+    json.add("error", error);
   }
   if (found != nullptr) {
     add_comparison(json, *found);
@@ -208,17 +214,19 @@ ExitCode diff_images(const Options& options, std::vector<PictureInput> inputs, C
   inputs.clear();
   if (const ExitCode status = worse(a.status, b.status); status != ExitCode::fine) {
     for (const LoadedPicture& loaded : pictures) {
-      if (!loaded.error.empty() && !options.json) {
+      if (!loaded.error.empty()) {
         say_error(loaded.error);
       }
     }
-    return options.json ? worse(status, answer(json_text(a, b, nullptr, nullptr))) : status;
+    return options.json ? worse(status, answer(json_text(a, b, nullptr, nullptr, kept_errors())))
+                        : status;
   }
   std::optional<LoadedScene> scene;
   if (!options.scene.empty()) {
     scene = load_scene_of_pictures(options.scene, options, context);
-    if (const ExitCode status = status_of(*scene); status != ExitCode::fine) {
-      return options.json ? worse(status, answer(json_text(a, b, &*scene, nullptr))) : status;
+    if (const Outcome unusable = outcome_of(*scene); unusable.status != ExitCode::fine) {
+      return options.json ? answer_json(unusable, json_text(a, b, &*scene, nullptr, unusable.error))
+                          : unusable.status;
     }
     if (are_path_traced(options, *scene)) {
       return diff_paths(options, pictures, *scene, context);

@@ -127,14 +127,12 @@ ExitCode run_explain(const Options& given, Context& context) {
                       wants_color(Stream::chatter)));
   }
   const auto failed = [&](const Outcome& outcome) {
-    if (options.json) {
-      return worse(outcome.status,
-                   answer(explain_json(scene, options.render, nullptr, outcome.error, realtime)));
-    }
-    return fail(outcome);
+    return options.json ? answer_json(outcome, explain_json(scene, options.render, nullptr,
+                                                            outcome.error, realtime))
+                        : fail(outcome);
   };
-  if (const ExitCode status = status_of(scene); status != ExitCode::fine) {
-    return options.json ? failed({status, "the scene cannot be used"}) : status;
+  if (const Outcome unusable = outcome_of(scene); unusable.status != ExitCode::fine) {
+    return options.json ? failed(unusable) : unusable.status;
   }
   const std::array value = value_at(mine.picture.texture, *options.pixel);
   std::optional<PictureComparison> found;

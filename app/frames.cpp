@@ -469,7 +469,7 @@ ExitCode run_frames(const Options& given, Context& context) {
   if (said_before) {
     say_findings();
   }
-  Outcome outcome{status_of(scene), {}};
+  Outcome outcome = outcome_of(scene);
   if (const auto realtime = realtime_options(options);
       realtime && outcome.status == ExitCode::fine) {
     check_realtime(*realtime, scene);
@@ -477,8 +477,6 @@ ExitCode run_frames(const Options& given, Context& context) {
   Motion motion;
   if (outcome.status == ExitCode::fine) {
     outcome = make_motion(options, scene, motion);
-  } else {
-    outcome.error = "the scene cannot be used";
   }
   int drawn = 0;
   int skipped = 0;
@@ -516,7 +514,7 @@ ExitCode run_frames(const Options& given, Context& context) {
     }
     json.add("seconds", seconds);
     json.end_object();
-    return worse(outcome.status, answer(json.text()));
+    return answer_json(outcome, json.text());
   }
   if (status_of(scene) == ExitCode::fine && !outcome.error.empty()) {
     say_error(outcome.error);

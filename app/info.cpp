@@ -265,12 +265,13 @@ ExitCode run_info(const Options& options, Context& context) {
   // Meshes are loaded for their bounds; textures are only looked up.
   const LoadedScene scene = load_scene(options.arguments.front(), options, LoadDepth::with_meshes,
                                        /*allow_missing=*/true, context);
-  const ExitCode status = status_of(scene);
+  const Outcome outcome = outcome_of(scene);
   if (!options.json) {
     say(findings_text(scene, Verbosity::warnings, wants_color(Stream::chatter)));
   }
-  if (status != ExitCode::fine) {
-    return options.json ? worse(status, answer(info_json(scene, nullptr))) : status;
+  if (outcome.status != ExitCode::fine) {
+    return options.json ? answer_json(outcome, info_json(scene, nullptr, outcome.error))
+                        : outcome.status;
   }
   const InfoReport report = make_report(scene, options, context);
   if (options.json) {

@@ -221,11 +221,15 @@ std::string render_json(const LoadedScene& scene, const RenderReport& report) {
   return json.text();
 }
 
-std::string info_json(const LoadedScene& scene, const InfoReport* report) {
+std::string info_json(const LoadedScene& scene, const InfoReport* report,
+                      const std::string& error) {
   Json json;
   begin_document(json, "info");
   json.key("scene");
   add_scene(json, scene);
+  if (!error.empty()) {
+    json.add("error", error);
+  }
   if (report != nullptr) {
     add_camera(json, scene.written);
     add_summary(json, report->summary);

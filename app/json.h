@@ -45,7 +45,9 @@ struct InfoReport {
   std::string tree;  ///< empty: not requested
   std::optional<RealtimeReport> realtime;
 };
-std::string info_json(const LoadedScene& scene, const InfoReport* report);
+/// `report`: null if the scene cannot be used; `error` then says so.
+std::string info_json(const LoadedScene& scene, const InfoReport* report,
+                      const std::string& error = {});
 
 /// The result of a conversion.
 struct ConvertReport {

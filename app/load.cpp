@@ -100,6 +100,11 @@ ExitCode status_of(const LoadedScene& scene) {
   return failure ? exit_code(*failure) : ExitCode::fine;
 }
 
+Outcome outcome_of(const LoadedScene& scene) {
+  const ExitCode status = status_of(scene);
+  return {status, status == ExitCode::fine ? "" : "the scene cannot be used"};
+}
+
 Outcome outcome_of(const Result<void>& result) {
   return result ? Outcome() : Outcome{exit_code(result.error().kind), result.error().text};
 }
@@ -117,6 +122,13 @@ Outcome outcome_of(const Error& error, const Context& context) {
                         context.max_memory)};
   }
   return {exit_code(error.kind), error.text};
+}
+
+ExitCode answer_json(const Outcome& outcome, const std::string& json) {
+  if (!outcome.error.empty()) {
+    say_error(outcome.error);
+  }
+  return worse(outcome.status, answer(json));
 }
 
 ExitCode fail(const Outcome& outcome) {

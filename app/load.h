@@ -38,11 +38,15 @@ std::vector<AssetFile> locate_files(const LoadedScene& scene, const Options& opt
 ExitCode exit_code(ErrorKind kind);
 /// The exit status for the scene's findings so far.
 ExitCode status_of(const LoadedScene& scene);
+/// The same with an error that does not repeat the findings.
+Outcome outcome_of(const LoadedScene& scene);
 Outcome outcome_of(const Result<void>& result);
 /// Converts the tracer's status.
 Outcome outcome_of(RenderStatus status, const Context& context);
 /// The same for errors from the tracer.
 Outcome outcome_of(const Error& error, const Context& context);
+/// Answers in JSON, and says on standard error why the command failed, if it did.
+ExitCode answer_json(const Outcome& outcome, const std::string& json);
 /// Says why a command ends (output.h).
 ExitCode fail(const Outcome& outcome);
 ExitCode fail(const Error& error);

@@ -280,8 +280,11 @@ ExitCode run(std::span<const char* const> words, Context& context) {
   if (const std::string path = config_argument(*command, words); !path.empty()) {
     if (const ExitCode status = read_configuration(path, context, configured);
         status != ExitCode::fine) {
-      const std::optional<Error>& unreadable = configured.file.unreadable;
-      keep_error(unreadable ? unreadable->text : "the configuration cannot be used");
+      if (const std::optional<Error>& unreadable = configured.file.unreadable) {
+        keep_error(unreadable->text);
+      } else if (!context.json_command.empty()) {
+        say_error("the configuration cannot be used");
+      }
       context.broken_configuration = scene_json(configured.file);
       return status;
     }

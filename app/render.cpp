@@ -246,18 +246,16 @@ ExitCode run_render(const Options& given, Context& context) {
   RenderReport report;
   report.options = options.render;
   report.output = options.output;
-  if (Outcome refused = claim_render_outputs(options, context); refused.status != ExitCode::fine) {
+  if (const Outcome refused = claim_render_outputs(options, context);
+      refused.status != ExitCode::fine) {
     LoadedScene unread;
     unread.path = options.arguments.front();
-    report.error = std::move(refused.error);
-    if (options.json) {
-      return worse(refused.status, answer(render_json(unread, report)));
-    }
-    return fail(refused.status, report.error);
+    report.error = refused.error;
+    return options.json ? answer_json(refused, render_json(unread, report)) : fail(refused);
   }
   LoadedScene scene = load_for_tracing(options, context);
   report.options = options.render;
-  Outcome outcome{status_of(scene), {}};
+  Outcome outcome = outcome_of(scene);
   if (const auto realtime = realtime_options(options);
       realtime && outcome.status == ExitCode::fine) {
     check_realtime(*realtime, scene);
@@ -286,16 +284,14 @@ ExitCode run_render(const Options& given, Context& context) {
     outcome = options.engine == Engine::gl ? write_8bit_picture(options, drawn, context)
               : report.store               ? draw_with_store(options, scene, report, context)
                                            : draw(options, scene, report, context);
-  } else if (outcome.error.empty()) {
-    outcome.error = "the scene cannot be used";
   }
   report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   report.error = outcome.error;
   report.written = outcome.error.empty() && !options.part && !options.missing;
   if (options.json) {
     const bool missing = report.store && !report.store->missing.empty();
-    return worse(worse(outcome.status, missing ? ExitCode::findings : ExitCode::fine),
-                 answer(render_json(scene, report)));
+    return worse(missing ? ExitCode::findings : ExitCode::fine,
+                 answer_json(outcome, render_json(scene, report)));
   }
   if (options.missing && outcome.status == ExitCode::fine) {
     return answer_missing(report.store->missing);

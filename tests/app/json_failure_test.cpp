@@ -163,6 +163,11 @@ TEST_F(JsonFailure, EveryFailureIsAnsweredWithItsReason) {
     EXPECT_EQ(answer["command"].GetString(), failing.words.front()) << shown;
     EXPECT_STREQ(answer["scenefile"].GetString(), SCENEFILE_VERSION) << shown;
     EXPECT_TRUE(says_error(answer)) << shown << run.out;
+    if (failing.words[0] == "check" || failing.words[0] == "format") {
+      continue;  // these go on with the next file
+    }
+    ASSERT_TRUE(answer.HasMember("error")) << shown << run.out;
+    EXPECT_THAT(run.err, HasSubstr(answer["error"].GetString())) << shown;
   }
 }
 

@@ -264,13 +264,17 @@ std::string compare_scenes_text(const LoadedScene& a, const LoadedScene& b, cons
   return (color ? colored(diff.text) : diff.text) + verdict_text(a.path, b.path, diff);
 }
 
-std::string compare_scenes_json(const LoadedScene& a, const LoadedScene& b, const SceneDiff* diff) {
+std::string compare_scenes_json(const LoadedScene& a, const LoadedScene& b, const SceneDiff* diff,
+                                const std::string& error) {
   Json json;
   begin_document(json, "diff");
   json.key("a");
   add_scene(json, a);
   json.key("b");
   add_scene(json, b);
+  if (!error.empty()) {
+    json.add("error", error);
+  }
   if (diff != nullptr) {
     json.add({{"equal", diff->equal}, {"same_meaning", diff->same_meaning}});
     json.add_objects("differences", diff->differences, [&](const SceneDifference& difference) {

@@ -39,7 +39,8 @@ std::string difference_text(const SceneDifference& difference);
 std::string compare_scenes_text(const LoadedScene& a, const LoadedScene& b, const SceneDiff& diff,
                                 bool color = false);
 
-/// `diff`: null if one of the scenes is not usable.
-std::string compare_scenes_json(const LoadedScene& a, const LoadedScene& b, const SceneDiff* diff);
+/// If `diff` is null because one of the scenes is not usable, `error` says so.
+std::string compare_scenes_json(const LoadedScene& a, const LoadedScene& b, const SceneDiff* diff,
+                                const std::string& error = {});
 
 }  // namespace scenefile

@@ -80,7 +80,7 @@ ExitCode run_format(const Options& options, Context& context) {
     write(result, options, context);
     status = worse(status, status_of(result, options));
     if (options.json) {
-      reports.push_back({scene_json(result.file), result.changed, result.unwritable});
+      reports.push_back({parsed_file_json(result.file), result.changed, result.unwritable});
     } else if (!options.check || !result.text.has_value()) {
       report(result, options);
     } else if (result.changed) {

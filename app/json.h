@@ -60,7 +60,7 @@ std::string convert_json(const LoadedScene& scene, const ConvertReport& report);
 
 /// The result of formatting a file.
 struct FormatReport {
-  std::string scene;  ///< text of scene_json()
+  std::string scene;  ///< text of parsed_file_json()
   bool changed = false;
   std::string error = {};  ///< empty: success
 };

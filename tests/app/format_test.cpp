@@ -50,6 +50,8 @@ TEST_F(Format, CheckDoesNotChangeFiles) {
       parse_json(in_folder({"format", "--check", "--json", "a.xml", "c.xml"}).out);
   EXPECT_TRUE(document["files"][0]["changed"].GetBool());
   EXPECT_FALSE(document["files"][1]["changed"].GetBool());
+  EXPECT_FALSE(document["files"][0]["scene"].HasMember("verdict"));  // format does not check
+  EXPECT_FALSE(document["files"][0]["scene"].HasMember("warnings"));
 }
 
 TEST_F(Format, BrokenFilesAreNotChanged) {

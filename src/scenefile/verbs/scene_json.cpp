@@ -47,6 +47,22 @@ void add_finding(Json& json, const Diagnostic& d, const std::vector<Replacement>
   }
 }
 
+void add_path(Json& json, const LoadedScene& scene) {
+  json.add("file", scene.path);
+  if (scene.unreadable) {
+    json.add("error", scene.unreadable->text);
+  }
+}
+
+void add_findings(Json& json, const LoadedScene& scene) {
+  json.add("not_listed", scene.diagnostics.dropped());
+  const std::vector<const Diagnostic*> findings = by_place(scene.diagnostics);
+  const std::vector<std::vector<Replacement>> changes = replacements(scene.text, findings);
+  json.add_objects("findings", findings, [&, i = std::size_t{0}](const Diagnostic* d) mutable {
+    add_finding(json, *d, changes[i++]);
+  });
+}
+
 // The value of an option.
 template <typename T>
 requires std::is_arithmetic_v<T>
@@ -113,20 +129,12 @@ void add_location(Json& json, Location location) {
 
 void add_scene(Json& json, const LoadedScene& scene, const FixReport* fixes) {
   json.begin_object();
-  json.add("file", scene.path);
-  if (scene.unreadable) {
-    json.add("error", scene.unreadable->text);
-  }
+  add_path(json, scene);
   json.add({{"verdict", verdict_word(verdict_of(scene))},
             {"errors", scene.diagnostics.count(Severity::error)},
             {"warnings", scene.diagnostics.count(Severity::warning)},
-            {"notes", scene.diagnostics.count(Severity::note)},
-            {"not_listed", scene.diagnostics.dropped()}});
-  const std::vector<const Diagnostic*> findings = by_place(scene.diagnostics);
-  const std::vector<std::vector<Replacement>> changes = replacements(scene.text, findings);
-  json.add_objects("findings", findings, [&, i = std::size_t{0}](const Diagnostic* d) mutable {
-    add_finding(json, *d, changes[i++]);
-  });
+            {"notes", scene.diagnostics.count(Severity::note)}});
+  add_findings(json, scene);
   if (fixes != nullptr) {
     json.add_objects("fixed", fixes->made, [&](const Diagnostic& d) { add_finding(json, d); });
     if (!fixes->error.empty()) {
@@ -139,6 +147,15 @@ void add_scene(Json& json, const LoadedScene& scene, const FixReport* fixes) {
 std::string scene_json(const LoadedScene& scene, const FixReport* fixes) {
   Json json;
   add_scene(json, scene, fixes);
+  return json.text();
+}
+
+std::string parsed_file_json(const LoadedScene& file) {
+  Json json;
+  json.begin_object();
+  add_path(json, file);
+  add_findings(json, file);
+  json.end_object();
   return json.text();
 }
 

@@ -27,6 +27,9 @@ void add_scene(Json& json, const LoadedScene& scene, const FixReport* fixes = nu
 /// The same as a separate text.
 std::string scene_json(const LoadedScene& scene, const FixReport* fixes = nullptr);
 
+/// A file that was only parsed, as a separate text: path and findings without a verdict.
+std::string parsed_file_json(const LoadedScene& file);
+
 /// The document for checked scenes, from texts of scene_json().
 std::string check_json(const std::vector<std::string>& scenes);
 

@@ -259,6 +259,7 @@ void bind_comparisons(py::module_& m) {
       .def_readonly("what", &Claim::what)
       .def_readonly("evidence", &Claim::evidence)
       .def_readonly("explained", &Claim::explained)
+      .def_readonly("said", &Claim::said, "Of a rival: the cause's text already names it.")
       .def("__str__", [](const Claim& c) { return c.what; })
       .def("__repr__",
            [](const Claim& c) { return fmt::format("<Cause {}: {}>", name_of(c.cause), c.what); });

@@ -52,6 +52,25 @@ TEST(ComparePictures, ProgressNeverGoesBack) {
   EXPECT_TRUE(found.drawn_exactly);
 }
 
+// The text names them with the cause, and JSON says so.
+TEST(ComparePictures, RivalsThatTheCauseNamesAreNotSaidTwice) {
+  PictureComparison found;
+  found.causes.claims = {{Cause::normals, "no normals, or no shadows", "all"}};
+  found.causes.rivals = {{Cause::shadows, "no shadows", "all", 1, true},
+                         {Cause::ambient, "no ambient term", "most", 0.9}};
+  const std::string text = causes_text(found);
+  EXPECT_EQ(text.find("[shadows]"), std::string::npos) << text;
+  EXPECT_NE(text.find("or: no ambient term [ambient]"), std::string::npos) << text;
+  Json json;
+  json.begin_object();
+  add_claims(json, "rivals", found.causes.rivals);
+  json.end_object();
+  const std::string rivals = json.text();
+  const std::size_t said = rivals.find("\"said\": true");
+  EXPECT_LT(said, rivals.find("\"ambient\"")) << rivals;
+  EXPECT_EQ(rivals.find("\"said\"", said + 1), std::string::npos) << rivals;
+}
+
 // As many scattered pixels would count as details, but edges do not fill squares.
 TEST(ComparePictures, ASmallAreaIsNotADetail) {
   Texture reference{128, 96, {}};

@@ -612,7 +612,7 @@ function showComparison({ working, otherSize, openGl, paths, answer }) {
       list.length === 0 ? [] : [h('h2', {}, title), h('ul', { className: 'claims' }, list.map(({ what, evidence }) => h('li', {}, what, evidence ? ` (${evidence})` : '')))];
     parts.push(
       ...claims('Your picture differs because', answer.causes),
-      ...claims('It may also be that', answer.rivals),
+      ...claims('It may also be that', answer.rivals?.filter(({ said }) => !said)),
       ...claims('This explains a part of the difference', answer.partial),
     );
     const { worst } = answer;

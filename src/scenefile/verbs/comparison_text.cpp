@@ -112,6 +112,9 @@ void add_claims(Json& json, std::string_view name, const std::vector<Claim>& cla
               {"what", claim.what},
               {"evidence", claim.evidence},
               {"explained", claim.explained}});
+    if (claim.said) {
+      json.add("said", true);
+    }
   });
 }
 

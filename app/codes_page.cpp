@@ -32,11 +32,6 @@ constexpr std::string_view introduction =
     "\n"
     "`--allow CODE` silences a warning or a note.\n";
 
-// "camera" for "camera.look-zero".
-std::string_view family_of(const Code& code) {
-  return code.name.substr(0, code.name.find('.'));
-}
-
 // Escapes text for Markdown.
 std::string markdown(std::string_view text) {
   std::string result;
@@ -50,6 +45,10 @@ std::string markdown(std::string_view text) {
 }
 
 }  // namespace
+
+std::string_view family_of(const Code& code) {
+  return code.name.substr(0, code.name.find('.'));
+}
 
 std::string codes_text(std::size_t terminal_width, std::string_view family) {
   std::string text;

@@ -10,9 +10,11 @@
 
 namespace scenefile::app {
 
+/// "camera" for "camera.look-zero".
+std::string_view family_of(const Code& code);
 /// One line per code, wrapped for the terminal: all codes, or those of a family.
 std::string codes_text(std::size_t terminal_width, std::string_view family = {});
-/// The prefixes of codes before the first dot, sorted: "camera" for "camera.look-zero".
+/// The families of all codes, sorted.
 std::span<const std::string_view> code_families();
 /// "error, sometimes a warning", and properties of its kind.
 std::string severities_text(const Code& code);

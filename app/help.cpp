@@ -97,7 +97,7 @@ ExitCode run_help_codes(const std::string& given, const Options& options) {
     return fail(ExitCode::usage, fmt::format("there are no codes {}.*{}", escaped(family),
                                              did_you_mean(family, code_families())));
   }
-  return answer(options.json ? help_json() : codes_text(help_width(), family));
+  return answer(options.json ? codes_json(family) : codes_text(help_width(), family));
 }
 
 }  // namespace
@@ -222,7 +222,7 @@ std::string code_text(const Code& code) {
 
 ExitCode run_help(const Options& options, Context& /*context*/) {
   if (!options.arguments.empty() && options.arguments.front() == "causes") {
-    return answer(options.json       ? help_json()
+    return answer(options.json       ? causes_json()
                   : options.markdown ? causes_markdown()
                                      : causes_list());
   }
@@ -259,17 +259,17 @@ ExitCode run_help(const Options& options, Context& /*context*/) {
     // Some words name both a family of codes and a cause of wrong pictures.
     const std::optional<Cause> cause = find_cause(topic);
     return answer(options.json
-                      ? help_json()
+                      ? codes_json(topic, cause)
                       : codes_text(help_width(), topic) + (cause ? "\n" + cause_text(*cause) : ""));
   }
   if (topic == "codes") {
-    return answer(options.json ? help_json() : codes_text(help_width()));
+    return answer(options.json ? codes_json() : codes_text(help_width()));
   }
   if (const std::optional<Cause> cause = find_cause(topic)) {
     return answer(options.json ? cause_json(*cause) : cause_text(*cause));
   }
   if (topic == "limits") {
-    return answer(options.json ? help_json() : limits_text(help_width()));
+    return answer(options.json ? limits_json() : limits_text(help_width()));
   }
   if (topic == "vocabulary") {
     return answer(options.json ? vocabulary_json() : vocabulary_text(help_width()));

@@ -1,5 +1,6 @@
 #include "app/json.h"
 
+#include "app/codes_page.h"
 #include "app/limit_table.h"
 #include "app/names.h"
 #include "scenefile/explain/object_names.h"
@@ -121,11 +122,41 @@ void add_command(Json& json, const Command& command) {
   });
 }
 
-// A document of one object.
+// Those of a family, or all.
+void add_codes(Json& json, std::string_view family) {
+  std::vector<const Code*> codes;
+  for (const Code* const code : all_codes()) {
+    if (family.empty() || family_of(*code) == family) {
+      codes.push_back(code);
+    }
+  }
+  json.add_objects("codes", codes, [&](const Code* code) { add_code(json, *code); });
+}
+
+void add_causes(Json& json) {
+  json.begin_array("causes");
+  for (std::size_t i = 0; i < cause_count; ++i) {
+    json.begin_object();
+    add_cause(json, help_of(static_cast<Cause>(i)));
+    json.end_object();
+  }
+  json.end_array();
+}
+
+void add_limits(Json& json) {
+  json.add_objects("limits", limit_table(), [&](const LimitRow& limit) {
+    json.add({{"name", limit.name},
+              {"default", limit.get({})},
+              {"most", limit.most},
+              {"help", limit.help}});
+  });
+}
+
+// An answer of help.
 template <typename AddMembers>
-std::string object_json(const AddMembers& add_members) {
+std::string help_document(const AddMembers& add_members) {
   Json json;
-  json.begin_object();
+  begin_document(json, "help");
   add_members(json);
   json.end_object();
   return json.text();
@@ -297,15 +328,15 @@ std::string failure_json(std::string_view command, std::string_view error,
 }
 
 std::string command_json(const Command& command) {
-  return object_json([&](Json& json) { add_command(json, command); });
+  return help_document([&](Json& json) { add_command(json, command); });
 }
 
 std::string code_json(const Code& code) {
-  return object_json([&](Json& json) { add_code(json, code); });
+  return help_document([&](Json& json) { add_code(json, code); });
 }
 
 std::string cause_json(Cause cause) {
-  return object_json([&](Json& json) { add_cause(json, help_of(cause)); });
+  return help_document([&](Json& json) { add_cause(json, help_of(cause)); });
 }
 
 std::string vocabulary_json() {
@@ -365,26 +396,31 @@ std::string vocabulary_json() {
   return json.text();
 }
 
-std::string help_json() {
-  Json json;
-  begin_document(json, "help");
-  json.add_objects("commands", commands(), [&](const Command& c) { add_command(json, c); });
-  json.add_objects("codes", all_codes(), [&](const Code* code) { add_code(json, *code); });
-  json.begin_array("causes");
-  for (std::size_t i = 0; i < cause_count; ++i) {
-    json.begin_object();
-    add_cause(json, help_of(static_cast<Cause>(i)));
-    json.end_object();
-  }
-  json.end_array();
-  json.add_objects("limits", limit_table(), [&](const LimitRow& limit) {
-    json.add({{"name", limit.name},
-              {"default", limit.get({})},
-              {"most", limit.most},
-              {"help", limit.help}});
+std::string codes_json(std::string_view family, std::optional<Cause> cause) {
+  return help_document([&](Json& json) {
+    add_codes(json, family);
+    if (cause) {
+      json.add_objects("causes", std::array{*cause},
+                       [&](Cause one) { add_cause(json, help_of(one)); });
+    }
   });
-  json.end_object();
-  return json.text();
+}
+
+std::string causes_json() {
+  return help_document(add_causes);
+}
+
+std::string limits_json() {
+  return help_document(add_limits);
+}
+
+std::string help_json() {
+  return help_document([](Json& json) {
+    json.add_objects("commands", commands(), [&](const Command& c) { add_command(json, c); });
+    add_codes(json, {});
+    add_causes(json);
+    add_limits(json);
+  });
 }
 
 }  // namespace scenefile::app

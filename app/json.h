@@ -74,6 +74,10 @@ std::string failure_json(std::string_view command, std::string_view error,
 std::string command_json(const Command& command);
 std::string code_json(const Code& code);
 std::string cause_json(Cause cause);
+/// The codes of a family, or all, and the cause that has the name of the family.
+std::string codes_json(std::string_view family = {}, std::optional<Cause> cause = {});
+std::string causes_json();
+std::string limits_json();
 /// All commands, codes, causes and limits.
 std::string help_json();
 /// The words of the format (scene/vocabulary_words.h).

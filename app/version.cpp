@@ -3,7 +3,7 @@
 #include "app/program_folder.h"
 #include "scenefile/base/text.h"
 #include "scenefile/trace/trace_scene.h"
-#include "scenefile/verbs/json_writer.h"
+#include "scenefile/verbs/scene_json.h"
 
 #include <fmt/format.h>
 
@@ -29,9 +29,8 @@ ExitCode run_version(const Options& options, Context& context) {
     return answer(text);
   }
   Json json;
-  json.begin_object();
-  json.add({{"scenefile", SCENEFILE_VERSION},
-            {"build_type", SCENEFILE_BUILD_TYPE},
+  begin_document(json, "version");
+  json.add({{"build_type", SCENEFILE_BUILD_TYPE},
             {"compiler", SCENEFILE_COMPILER},
             {"embree", embree},
             {"lanes", backend.lanes}});

@@ -245,6 +245,37 @@ TEST(Usage, HelpCoversCommandsAndCodes) {
   is_misuse({"help", "camera.up-paralel-to-look"}, "did you mean camera.up-parallel-to-look?");
 }
 
+TEST(Usage, PartsOfHelpAreAnsweredInJson) {
+  const auto help = [](const Words& words) {
+    return parse_json(run_program(Words{"help"} + words + Words{"--json"}).out);
+  };
+  const rapidjson::Document all = help({});
+  EXPECT_EQ(help({"codes"})["codes"], all["codes"]);
+  EXPECT_EQ(help({"limits"})["limits"], all["limits"]);
+  const rapidjson::Document limits = help({"limits"});
+  EXPECT_FALSE(limits.HasMember("codes"));
+  const rapidjson::Document rendering = help({"codes", "render"});
+  EXPECT_LT(rendering["codes"].Size(), all["codes"].Size());
+  for (const auto& code : rendering["codes"].GetArray()) {
+    EXPECT_THAT(code["name"].GetString(), ::testing::StartsWith("render."));
+  }
+}
+
+TEST(Usage, EveryAnswerInJsonBeginsAlike) {
+  for (const Words& words : {Words{"help"},
+                             {"help", "render"},
+                             {"help", "xml.number"},
+                             {"help", "shadows"},
+                             {"help", "limits"},
+                             {"help", "vocabulary"},
+                             {"version"}}) {
+    const std::string answer = run_program(words + Words{"--json"}).out;
+    EXPECT_THAT(answer, ::testing::StartsWith("{\n  \"scenefile\": \"" SCENEFILE_VERSION
+                                              "\",\n  \"command\": \"" +
+                                              words[0] + "\","));
+  }
+}
+
 TEST(Usage, HelpFitsATerminal) {
   for (const std::string command :
        {"render", "check", "info", "convert", "diff", "format", "help", "version"}) {

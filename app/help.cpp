@@ -13,6 +13,7 @@
 #include "scenefile/verbs/codes.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>
@@ -65,7 +66,7 @@ std::string no_such_topic(const std::string& topic) {
   const auto longer = std::find_if(known.begin(), known.end(), [&](std::string_view name) {
     return topic.size() >= 3 && name.starts_with(topic);
   });
-  return fmt::format("unknown command, code or cause {}{}", scenefile::quoted(topic),
+  return fmt::format("unknown topic {}{}", scenefile::quoted(topic),
                      longer == known.end() ? did_you_mean(topic, known)
                                            : fmt::format("; did you mean {}?", *longer));
 }
@@ -78,7 +79,15 @@ bool is_family(std::string_view name) {
 std::string vocabulary_text(std::size_t width) {
   std::string text = "Elements of XML\n";
   for (const ElementWord& element : element_words()) {
-    text += columns_text(fmt::format("  {}", element.name), element.about, 22, width);
+    std::vector<std::string_view> attributes;
+    for (const AttributeWord& attribute : element.attributes) {
+      attributes.push_back(attribute.name);
+    }
+    text += columns_text(
+        fmt::format("  {}", element.name),
+        fmt::format("{}{}{}", element.about,
+                    attributes.empty() ? "" : " Attributes: ", fmt::join(attributes, " ")),
+        22, width);
   }
   for (const ObjectWord& object : object_words()) {
     text += fmt::format("\nKeys of {} in JSON\n",
@@ -86,6 +95,50 @@ std::string vocabulary_text(std::size_t width) {
     for (const KeyWord& key : object.keys) {
       text += columns_text(fmt::format("  {}", key.name), key.about, 22, width);
     }
+  }
+  return text;
+}
+
+// What an element and keys of that name mean; empty if there are none.
+std::string word_text(std::string_view word, std::size_t width) {
+  std::string text;
+  if (const ElementWord* const element = find_element(word)) {
+    text += wrapped(fmt::format("<{}> in XML: {}", word, element->about), 0, 2, width) + "\n";
+    for (const AttributeWord& attribute : element->attributes) {
+      text += columns_text(fmt::format("  {}", attribute.name), attribute.about, 14, width);
+    }
+  }
+  std::vector<std::pair<const KeyWord*, std::string>> keys;  // with the objects that have them
+  for (const ObjectWord& object : object_words()) {
+    const std::string place = object.name.empty() ? "the scene" : std::string(object.name);
+    if (const KeyWord* const key = find_key(object, word)) {
+      const auto same = std::find_if(keys.begin(), keys.end(), [&](const auto& other) {
+        return other.first->about == key->about;
+      });
+      if (same == keys.end()) {
+        keys.emplace_back(key, place);
+      } else {
+        same->second += " and " + place;
+      }
+    }
+  }
+  for (const auto& [key, places] : keys) {
+    text += wrapped(fmt::format("\"{}\" in JSON, in {}: {}{}{}", word, places, key->about,
+                                key->example.empty() ? "" : " Example: ", key->example),
+                    0, 2, width) +
+            "\n";
+  }
+  return text;
+}
+
+// What has this name: a family of codes, a cause of wrong pictures, words of the format. Some are
+// several of these.
+std::string topic_text(const std::string& topic, std::optional<Cause> cause) {
+  std::string text;
+  for (const std::string& part :
+       {is_family(topic) ? codes_text(help_width(), topic) : std::string(),
+        cause ? cause_text(*cause) : std::string(), word_text(topic, help_width())}) {
+    text += text.empty() || part.empty() ? part : "\n" + part;
   }
   return text;
 }
@@ -148,7 +201,8 @@ std::string overview_text() {
         {"CAUSE", "a mistake that diff and grade name, such as normals"},
         {"causes", "the list of these mistakes"},
         {"limits", "how large a file may be, how deeply nested, and so on"},
-        {"vocabulary", "the elements and keys of the format"}}) {
+        {"WORD", "an element or a key of the format, such as rotate"},
+        {"vocabulary", "the list of these words"}}) {
     text += columns_text(fmt::format("  scenefile help {}", topic), what, second_column(width, 38),
                          width);
   }
@@ -255,24 +309,21 @@ ExitCode run_help(const Options& options, Context& /*context*/) {
   if (const Code* const code = find_code(topic); code != nullptr) {
     return answer(options.json ? code_json(*code) : code_text(*code));
   }
-  if (is_family(topic)) {
-    // Some words name both a family of codes and a cause of wrong pictures.
-    const std::optional<Cause> cause = find_cause(topic);
-    return answer(options.json
-                      ? codes_json(topic, cause)
-                      : codes_text(help_width(), topic) + (cause ? "\n" + cause_text(*cause) : ""));
-  }
   if (topic == "codes") {
     return answer(options.json ? codes_json() : codes_text(help_width()));
-  }
-  if (const std::optional<Cause> cause = find_cause(topic)) {
-    return answer(options.json ? cause_json(*cause) : cause_text(*cause));
   }
   if (topic == "limits") {
     return answer(options.json ? limits_json() : limits_text(help_width()));
   }
   if (topic == "vocabulary") {
     return answer(options.json ? vocabulary_json() : vocabulary_text(help_width()));
+  }
+  const std::optional<Cause> cause = find_cause(topic);
+  if (const std::string text = topic_text(topic, cause); !text.empty()) {
+    return answer(!options.json      ? text
+                  : is_family(topic) ? codes_json(topic, cause)
+                  : cause            ? cause_json(*cause)
+                                     : vocabulary_json(topic));
   }
   return fail(ExitCode::usage, no_such_topic(topic));
 }

@@ -2,6 +2,7 @@
 
 #include "app/command.h"
 #include "scenefile/base/diagnostics.h"
+#include "scenefile/mistakes/cause.h"
 
 #include <span>
 #include <string>
@@ -17,6 +18,7 @@ std::string overview_text();
 std::string command_text(const Command& command);
 /// A diagnostic code.
 std::string code_text(const Code& code);
+std::string cause_text(Cause cause);
 
 /// The command with that name, or null.
 const Command* find_command(std::string_view name);

@@ -339,11 +339,15 @@ std::string cause_json(Cause cause) {
   return help_document([&](Json& json) { add_cause(json, help_of(cause)); });
 }
 
-std::string vocabulary_json() {
+std::string vocabulary_json(std::string_view name) {
+  const auto wanted = [&](std::string_view word) { return name.empty() || word == name; };
   Json json;
   begin_document(json, "help");
   json.begin_object("xml");
   for (const ElementWord& element : element_words()) {
+    if (!wanted(element.name)) {
+      continue;
+    }
     json.begin_object(element.name);
     json.add({{"about", element.about}, {"children", element.children}});
     json.begin_object("attributes");
@@ -358,8 +362,14 @@ std::string vocabulary_json() {
   json.end_object();
   json.begin_object("json");
   for (const ObjectWord& object : object_words()) {
+    if (!name.empty() && find_key(object, name) == nullptr) {
+      continue;
+    }
     json.begin_object(object.name);
     for (const KeyWord& key : object.keys) {
+      if (!wanted(key.name)) {
+        continue;
+      }
       json.begin_object(key.name);
       json.add({{"title", key.title}, {"about", key.about}, {"values", key.values}});
       if (!key.object.empty()) {
@@ -373,7 +383,14 @@ std::string vocabulary_json() {
     json.end_object();
   }
   json.end_object();
-  json.add_objects("values", value_words(), [&](const ValueWord& value) {
+  std::vector<const ValueWord*> values;
+  for (const ValueWord& value : value_words()) {
+    if (wanted(value.xml) || wanted(value.json)) {
+      values.push_back(&value);
+    }
+  }
+  json.add_objects("values", values, [&](const ValueWord* row) {
+    const ValueWord& value = *row;
     json.add({{"block", value.block},
               {"xml", value.xml},
               {"json", value.json},

@@ -80,7 +80,7 @@ std::string causes_json();
 std::string limits_json();
 /// All commands, codes, causes and limits.
 std::string help_json();
-/// The words of the format (scene/vocabulary_words.h).
-std::string vocabulary_json();
+/// The words of the format (scene/vocabulary_words.h): those with this name, or all.
+std::string vocabulary_json(std::string_view name = {});
 
 }  // namespace scenefile::app

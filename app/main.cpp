@@ -164,15 +164,17 @@ constexpr std::array command_rows{
             "scenefile lsp --asset-root ~/course/data",
             run_lsp,
             {0, 0}},
-    Command{"help", for_help, "[COMMAND|CODE|CAUSE]", "explain a command, a code or a cause",
-            "Explains a command, the code in brackets after a finding, or a cause that diff or "
-            "grade names. codes, causes and limits list all of them; codes FAMILY lists the codes "
-            "that start with a word; vocabulary lists the words of the format.",
+    Command{"help", for_help, "[TOPIC]", "explain a command, a code, a cause or a word",
+            "Explains a command, the code in brackets after a finding, a cause that diff or "
+            "grade names, or a word of the format: an element of XML or a key of JSON. codes, "
+            "causes, limits and vocabulary list all of them; codes FAMILY lists the codes that "
+            "start with a word.",
             "scenefile help render\n"
             "scenefile help codes\n"
             "scenefile help codes render\n"
             "scenefile help camera.up-parallel-to-look\n"
-            "scenefile help shadows",
+            "scenefile help shadows\n"
+            "scenefile help rotate",
             run_help, at_most_two},
     Command{"version",
             for_version,

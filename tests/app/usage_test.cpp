@@ -41,10 +41,9 @@ TEST(Usage, SuggestsASimilarCommand) {
 }
 
 TEST(Usage, SuggestsTopicsOfHelp) {
-  is_misuse({"help", "spot"},
-            R"(unknown command, code or cause "spot"; did you mean spot-falloff?)");
+  is_misuse({"help", "spot"}, R"(unknown topic "spot"; did you mean spot-falloff?)");
   is_misuse({"help", "gama"}, "did you mean gamma?");
-  is_misuse({"help", "qqqqqq"}, R"(unknown command, code or cause "qqqqqq")");
+  is_misuse({"help", "qqqqqq"}, R"(unknown topic "qqqqqq")");
 }
 
 TEST(Usage, ListsTheCodesOfAFamilyThatIsNamedLikeACommand) {
@@ -243,6 +242,24 @@ TEST(Usage, HelpCoversCommandsAndCodes) {
   EXPECT_THAT(run_program({"help", "codes"}).out, HasSubstr("\nxml.number "));
   is_misuse({"help", "chek"}, "did you mean check?");
   is_misuse({"help", "camera.up-paralel-to-look"}, "did you mean camera.up-parallel-to-look?");
+}
+
+TEST(Usage, HelpExplainsWordsOfTheFormat) {
+  EXPECT_THAT(run_program({"help", "rotate"}).out,
+              AllOf(HasSubstr("<rotate> in XML: Rotates"), HasSubstr("\n  angle       Degrees.\n"),
+                    HasSubstr("\"rotate\" in JSON, in group and templateGroup: Rotates")));
+  EXPECT_THAT(run_program({"help", "vocabulary"}).out, HasSubstr("Attributes: x y z angle\n"));
+  // A mistake, and an element.
+  EXPECT_THAT(run_program({"help", "ambient"}).out,
+              AllOf(HasSubstr("Where to look: "), HasSubstr("<ambient> in XML: ")));
+  const rapidjson::Document rotate = parse_json(run_program({"help", "rotate", "--json"}).out);
+  EXPECT_EQ(rotate["xml"].MemberCount(), 1U);
+  EXPECT_TRUE(rotate["xml"]["rotate"]["attributes"].HasMember("angle"));
+  EXPECT_TRUE(rotate["json"]["group"].HasMember("rotate"));
+  EXPECT_FALSE(rotate["json"]["group"].HasMember("scale"));
+  const rapidjson::Document blend = parse_json(run_program({"help", "blend", "--json"}).out);
+  ASSERT_EQ(blend["values"].Size(), 1U);
+  EXPECT_STREQ(blend["values"][0]["xml"].GetString(), "blend");
 }
 
 TEST(Usage, PartsOfHelpAreAnsweredInJson) {

@@ -196,6 +196,18 @@ void report_scene_input(const PictureInput& input, LoadedPicture& loaded,
   }
 }
 
+// Why there is nothing to compare the picture with, and where to get it.
+std::string missing_reference(const Options& options, const Texture& picture) {
+  return options.scene.empty()
+             ? "diff needs two pictures, unless the scene is path-traced: scenefile diff A B, or "
+               "scenefile diff B --scene SCENE --mode path"
+             : fmt::format(
+                   "diff needs the reference first; this draws it: scenefile render {} --profile "
+                   "course --size {}x{} -o reference.png (a path-traced picture needs none, but "
+                   "--mode path)",
+                   escaped(shell_word(options.scene), 4096), picture.width, picture.height);
+}
+
 // The first one is the reference.
 ExitCode diff_images(const Options& options, std::vector<PictureInput> inputs, Context& context) {
   if (const Outcome refused = check_named_outputs(options); refused.status != ExitCode::fine) {
@@ -233,11 +245,9 @@ ExitCode diff_images(const Options& options, std::vector<PictureInput> inputs, C
     }
   }
   if (pictures.size() < 2 || options.render.mode == Mode::path) {
-    return fail(ExitCode::usage,
-                pictures.size() < 2
-                    ? "diff needs two pictures, unless the scene is path-traced: "
-                      "scenefile diff A B, or scenefile diff B --scene SCENE --mode path"
-                    : path_option(options) + " needs the scene: --scene SCENE");
+    return fail(ExitCode::usage, pictures.size() < 2
+                                     ? missing_reference(options, a.picture.texture)
+                                     : path_option(options) + " needs the scene: --scene SCENE");
   }
   round_alike(a.picture, b.picture);
   const LoadedScene* const shown = scene ? &*scene : nullptr;

@@ -103,6 +103,13 @@ TEST_F(DiffImages, TheCauseIsNamedWithAScene) {
   EXPECT_EQ(run.err, "");
 }
 
+TEST_F(DiffImages, WithoutAReferenceItSaysHowToDrawIt) {
+  const ProgramRun run = program({"diff", "wrong.png", "--scene", "ball.xml"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.err, HasSubstr("scenefile render ball.xml --profile course --size 64x48 -o "
+                                 "reference.png (a path-traced picture"));
+}
+
 TEST_F(DiffImages, JpegsOfRightPicturesAreSaidToBeSo) {
   const auto said_of_jpeg = [&](const std::string& from) {
     draw(from, "full.png", "320x240");

@@ -332,8 +332,8 @@ inline constexpr Code format_codes[] = {
      "A JSON group has one translate, rotate, scale and matrix each, applied in a fixed order. "
      "Other orders become nested groups."},
     {"write.renamed", Severity::note, "a group is renamed",
-     "In JSON, a group with a template's name is an instance of that template. In XML, names of "
-     "trees are unique, and root is the name of the scene."},
+     "In JSON, a group with a template's name is an instance of that template. In XML, trees at "
+     "the top of the file have different names, and root is that of the scene."},
     {"write.empty-group", Severity::note, "an empty group is dropped",
      "In XML, a transblock contains an object, and a tree is not empty."},
     {"write.matrix-row", Severity::note, "the last row of a matrix is written as 0 0 0 1",

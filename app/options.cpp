@@ -203,6 +203,16 @@ OptionSupport support_for(const OptionRow& row) {
   return row.field.empty() ? row.support : support_of(row.field);
 }
 
+std::vector<std::string_view> layers_of(Mode mode) {
+  std::vector<std::string_view> words;
+  for (std::size_t i = 0; i < layer_words.size(); ++i) {
+    if (has_layer(mode, static_cast<LayerKind>(i))) {
+      words.push_back(layer_words[i]);
+    }
+  }
+  return words;
+}
+
 // Checks that each option has an effect with the selected engine, profile and mode.
 std::string check_support(const Options& options) {
   if (options.render.mode == Mode::path) {
@@ -236,10 +246,8 @@ std::string check_support(const Options& options) {
   for (const Layer& layer : options.render.layers) {
     if (!has_layer(options.render.mode, layer.kind)) {
       return options.render.mode == Mode::path
-                 ? fmt::format(
-                       "--aov: mode path has no layer {}; it has normal, albedo, direct, "
-                       "bounce-N, specular, variance and samples",
-                       layer_name(layer))
+                 ? fmt::format("--aov: mode path has no layer {}; it has {}", layer_name(layer),
+                               fmt::join(layers_of(Mode::path), ", "))
                  : fmt::format("--aov: {} is a layer of path tracing: leave it out, or --mode {}",
                                layer_name(layer), mode_word(options.render.mode));
     }

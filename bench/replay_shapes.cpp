@@ -72,6 +72,7 @@ inline float meet(const Line& r) {
     return std::min(std::min(between_caps(r, t.first), between_caps(r, t.second)),
                     std::min(cap(r, -0.5f), cap(r, 0.5f)));
   } else {
+    static_assert(shape == Shape::cone);
     const float k = 0.25f - 0.5f * r.oy;  // the radius at the height of the origin
     const float m = -0.5f * r.dy;
     const Roots t = roots(r.dx * r.dx + r.dz * r.dz - m * m, r.ox * r.dx + r.oz * r.dz - k * m,
@@ -114,9 +115,12 @@ inline void meet_any(const Stored& object, const float* ray, const int* valid, f
       return meet_all<Shape::sphere, lanes>(object.m, ray, valid, t);
     case Shape::cylinder:
       return meet_all<Shape::cylinder, lanes>(object.m, ray, valid, t);
-    default:
+    case Shape::cone:
       return meet_all<Shape::cone, lanes>(object.m, ray, valid, t);
+    case Shape::mesh:
+      break;
   }
+  std::fill_n(t, lanes, none);  // replay.cpp takes no scenes with meshes
 }
 
 template <int lanes>

@@ -300,7 +300,7 @@ void bind_primitive(py::module_& m) {
       [](const PrimitivePart& part, std::string_view word) {
         edit(part).shape = from_word<Shape>("shape", word, shape_words);
       },
-      "cube, cone, cylinder, sphere or mesh");
+      "the word of the format, such as cube");
   member(primitive, "mesh_file", &Primitive::mesh_file, "only for meshes");
   primitive
       .def_property_readonly("material",

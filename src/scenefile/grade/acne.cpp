@@ -1,5 +1,6 @@
 #include "scenefile/grade/acne.h"
 
+#include "scenefile/base/shape_traits.h"
 #include "scenefile/grade/claims.h"
 #include "scenefile/trace/tasks.h"
 
@@ -121,8 +122,8 @@ bool lacks_lights(const Expected& picture, const dvec3& test, const dvec3& full,
 }
 
 bool is_flat(const ModelHit& hit) {
-  return hit.part->shape == Shape::cube ||
-         (hit.face != 0 && (hit.part->shape == Shape::cylinder || hit.part->shape == Shape::cone));
+  const Shape shape = hit.part->shape;
+  return shape != Shape::mesh && (hit.face != 0 || !has_curved_side(shape));
 }
 
 // Right and wrong pixels in windows around some pixels. Only windows within one surface count, and

@@ -24,8 +24,9 @@ constexpr double fits_well = 0.002;       // share of the colors that may differ
 
 double triangles_of(const RealtimeShapes& shapes, const TessellationParameters& parameters) {
   double sum = 0;
-  for (const Shape shape : {Shape::cube, Shape::cone, Shape::cylinder, Shape::sphere}) {
-    const double count = shapes.counts[static_cast<std::size_t>(shape)];
+  for (std::size_t i = 0; i < shape_count; ++i) {
+    const auto shape = static_cast<Shape>(i);
+    const double count = shape == Shape::mesh ? 0 : shapes.counts[i];
     sum += count > 0
                ? count * static_cast<double>(realtime_mesh(shape, parameters).triangles.size())
                : 0;

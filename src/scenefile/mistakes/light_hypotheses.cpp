@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace scenefile {
@@ -464,10 +465,12 @@ void add_shadows(HypothesisList& list) {
          {S::last_light_only, "only the last light casts shadows"}});
   }
   if (list.shapes.size() > 1) {
-    for (const auto& [shape, value] :
-         {std::pair(Shape::sphere, S::no_spheres), std::pair(Shape::cube, S::no_cubes),
-          std::pair(Shape::cylinder, S::no_cylinders), std::pair(Shape::cone, S::no_cones),
-          std::pair(Shape::mesh, S::no_meshes)}) {
+    constexpr std::array without{
+        std::pair(Shape::sphere, S::no_spheres), std::pair(Shape::cube, S::no_cubes),
+        std::pair(Shape::cylinder, S::no_cylinders), std::pair(Shape::cone, S::no_cones),
+        std::pair(Shape::mesh, S::no_meshes)};
+    static_assert(without.size() == shape_count);
+    for (const auto& [shape, value] : without) {
       if (list.shapes.contains(shape)) {
         list.set(
             Cause::shadows, &ModelMistakes::shadow, value,

@@ -18,6 +18,13 @@ using glm::dvec2;
 using glm::dvec3;
 
 constexpr std::array round_shapes{Shape::sphere, Shape::cylinder, Shape::cone};
+static_assert([] {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < shape_count; ++i) {
+    count += has_curved_side(static_cast<Shape>(i)) ? 1 : 0;
+  }
+  return count == round_shapes.size();
+}());
 
 std::string plural(Shape shape) {
   return std::string(word_of(shape)) + (shape == Shape::mesh ? "es" : "s");

@@ -493,9 +493,10 @@ std::shared_ptr<const Visibility> find_visible(const RealtimeTrial& trial,
   v.aspect = trial.frame.aspect.value_or(double(window.width) / window.height);
   v.seen.assign(std::size_t(v.width) * v.height, Visibility::nothing);
   v.shapes = std::move(shapes);
-  for (const Shape shape : {Shape::cube, Shape::cone, Shape::cylinder, Shape::sphere}) {
-    if (v.shapes->counts[static_cast<std::size_t>(shape)] > 0) {
-      v.meshes[static_cast<std::size_t>(shape)] = student_mesh(shape, trial);
+  for (std::size_t i = 0; i < shape_count; ++i) {
+    const auto shape = static_cast<Shape>(i);
+    if (shape != Shape::mesh && v.shapes->counts[i] > 0) {
+      v.meshes[i] = student_mesh(shape, trial);
     }
   }
   PixelRegion drawn{0, 0, std::min(v.width, v.viewport_width),

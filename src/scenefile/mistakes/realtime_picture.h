@@ -37,8 +37,8 @@ enum class Interpolation : std::uint8_t {
 
 /// Which triangles have the wrong winding order.
 struct InsideOut {
-  std::array<bool, 5> sides{};  ///< by shape
-  std::array<bool, 5> caps{};
+  std::array<bool, shape_count> sides{};  ///< by shape
+  std::array<bool, shape_count> caps{};
   friend bool operator==(const InsideOut&, const InsideOut&) = default;
 };
 
@@ -86,10 +86,14 @@ struct RealtimeTrial {
   Culling culling = Culling::back;
   DepthTest depth = DepthTest::less;
   Interpolation interpolation = Interpolation::normals;
-  std::array<bool, 5> interpolated_shapes{true, true, true, true, true};  ///< that it applies to
+  std::array<bool, shape_count> interpolated_shapes = [] {
+    std::array<bool, shape_count> all{};
+    all.fill(true);
+    return all;
+  }();  ///< that it applies to
   InsideOut inside_out;
   MeshMistakes mesh;
-  std::array<std::optional<TessellationParameters>, 5>
+  std::array<std::optional<TessellationParameters>, shape_count>
       tessellation;  ///< by shape; else the panel's
   FrameMistakes frame;
 };
@@ -97,7 +101,7 @@ struct RealtimeTrial {
 /// The shapes of a scene in world space, shared by all its pictures.
 struct RealtimeShapes {
   std::vector<ModelPart> parts;
-  std::array<double, 5> counts{};  ///< by shape
+  std::array<double, shape_count> counts{};  ///< by shape
 };
 
 /// Searches for causes are limited to scenes with this many shapes.
@@ -121,7 +125,7 @@ struct Visibility {
   double aspect = 1;
   std::vector<std::uint32_t> seen;  ///< into triangles; row 0 is the lowest
   std::vector<Triangle> triangles;
-  std::array<Mesh, 5> meshes;
+  std::array<Mesh, shape_count> meshes;
   std::shared_ptr<const RealtimeShapes> shapes;
   /// World positions of the corners.
   std::array<glm::dvec3, 3> corners(const Triangle& t, const Assets& assets) const;

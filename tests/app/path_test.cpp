@@ -207,7 +207,8 @@ TEST_F(PathCommand, WritesLayersAndDenoises) {
   }
   const ProgramRun depth = render("b.png", path + Words{"--aov", "normal,depth"});
   EXPECT_EQ(depth.status, 2);
-  EXPECT_THAT(depth.err, HasSubstr("mode path has no layer depth"));
+  EXPECT_THAT(depth.err, HasSubstr("mode path has no layer depth; it has normal, albedo, direct, "
+                                   "bounce-1, specular, variance, samples\n"));
   const ProgramRun ray = render("b.png", {"--mode", "ray", "--aov", "bounce-3"});
   EXPECT_EQ(ray.status, 2);
   EXPECT_THAT(ray.err, HasSubstr("bounce-3 is a layer of path tracing"));

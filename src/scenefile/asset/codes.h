@@ -8,8 +8,8 @@ namespace scenefile {
 inline constexpr Code asset_codes[] = {
     {"texture.missing", Severity::warning, "a texture file cannot be read",
      "The object is shaded with its diffuse color instead. Paths are looked up in the scene's "
-     "folder, in the folders image, images, texture, textures next to it, and in each "
-     "--asset-root. Case is ignored only if there is no exact match."},
+     "folder, in folders such as image and textures beside that folder, and in each --asset-root. "
+     "Case is ignored only if there is no exact match."},
 
     {"texture.undecodable", Severity::warning, "a texture file is not an image, or is damaged",
      "The object is shaded with its diffuse color instead. PNG, JPEG, GIF, TGA and uncompressed "
@@ -22,9 +22,8 @@ inline constexpr Code asset_codes[] = {
      CodeKind::limit},
 
     {"mesh.missing", Severity::error, "a mesh file cannot be read",
-     "Paths are looked up in the scene's folder, in the folders mesh, meshes, model, models next "
-     "to "
-     "it, and in each --asset-root. With --allow-missing the scene is drawn without "
+     "Paths are looked up in the scene's folder, in folders such as mesh and models beside that "
+     "folder, and in each --asset-root. With --allow-missing the scene is drawn without "
      "it.",
      CodeKind::plain, Severity::warning},
 

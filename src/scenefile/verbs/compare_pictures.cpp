@@ -118,7 +118,8 @@ PictureComparison compare(const Texture& given, const Texture& test, const Image
   if (found.other_size()) {
     found.causes = find_causes(given, test, nullptr);
   }
-  if (wanted && found.causes.claims.empty() && found.measures.comparable && !found.equal_in_8_bits) {
+  if (wanted && found.causes.claims.empty() && found.measures.comparable &&
+      !found.equal_in_8_bits) {
     if (ways.empty() && drawable != nullptr) {
       ways = ways_of(given, *scene, settings);
     }

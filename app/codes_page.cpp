@@ -1,6 +1,7 @@
 #include "app/codes_page.h"
 
 #include "app/wrap.h"
+#include "scenefile/base/text.h"
 #include "scenefile/verbs/codes.h"
 
 #include <fmt/format.h>
@@ -91,8 +92,7 @@ std::span<const std::string_view> code_families() {
 std::string severities_text(const Code& code) {
   std::string text(severity_name(code.severity));
   if (code.otherwise) {
-    text += fmt::format(", sometimes {} {}", *code.otherwise == Severity::error ? "an" : "a",
-                        severity_name(*code.otherwise));
+    text += ", sometimes " + with_article(severity_name(*code.otherwise));
   }
   if (code.kind == CodeKind::dialect) {
     return text + ", dialect";

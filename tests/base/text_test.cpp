@@ -33,6 +33,12 @@ TEST(Text, CountsCharacters) {
   EXPECT_EQ(first_code_point("").bytes, 0u);
 }
 
+TEST(Text, ArticlesFitTheirWords) {
+  EXPECT_EQ(with_article("point"), "a point");
+  EXPECT_EQ(with_article("area"), "an area");
+  EXPECT_EQ(with_article("error"), "an error");
+}
+
 TEST(Text, WordsOfShellsAreQuotedIfNeeded) {
   EXPECT_EQ(shell_word("a/b-c_1.png"), "a/b-c_1.png");
   EXPECT_EQ(shell_word(""), "''");

@@ -148,6 +148,11 @@ std::string shell_word(std::string_view word) {
   return result + "'";
 }
 
+std::string with_article(std::string_view word) {
+  const bool vowel = std::string_view("aeiou").find(word.substr(0, 1)) != std::string_view::npos;
+  return fmt::format("{} {}", vowel ? "an" : "a", word);
+}
+
 std::string lower_case(std::string_view text) {
   std::string result(text);
   std::transform(result.begin(), result.end(), result.begin(), lower);

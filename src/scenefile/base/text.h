@@ -37,6 +37,9 @@ std::string valid_utf8(std::string_view text);
 /// A word of a POSIX shell's command line: in single quotes if it has special characters.
 std::string shell_word(std::string_view word);
 
+/// The word with its indefinite article: "a point", "an area".
+std::string with_article(std::string_view word);
+
 /// ASCII letters to lower case.
 std::string lower_case(std::string_view text);
 

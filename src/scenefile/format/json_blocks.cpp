@@ -176,8 +176,8 @@ void report_missing(JsonContext& context, const JsonFields& fields, JsonIndex it
                     Field field) {
   const auto report = [&](std::string_view value) {
     context.report("json.light-default"_code, item,
-                   fmt::format("a {} light must have the key \"{}\"; {} is used", word_of(kind),
-                               row_of(light_rows, field).json, value));
+                   fmt::format("{} light must have the key \"{}\"; {} is used",
+                               with_article(word_of(kind)), row_of(light_rows, field).json, value));
   };
   if (field == Field::color) {
     fields.require(color);
@@ -202,7 +202,8 @@ void read_values(JsonContext& context, const JsonFields& fields, JsonIndex item,
         report_missing(context, fields, item, light.type, *row.field);
       }
     } else if (!row.used_by_type(light.type)) {
-      report_unused(context, fields, key, fmt::format("on a {} light", word_of(light.type)));
+      report_unused(context, fields, key,
+                    fmt::format("on {} light", with_article(word_of(light.type))));
     } else if (row.kind == ValueKind::text) {
       light.name = text_value(context, fields.key(key), context.limits.name_bytes).value_or("");
     } else {

@@ -200,9 +200,9 @@ void report_unused(const XmlContext& context, const LightDraft& draft) {
   for (std::size_t i = 0; i < std::size(light_rows); ++i) {
     const ValueRow<Light>& row = light_rows[i];
     if (draft.seen.has(i) && !row.used_by_type(draft.light.type) && !row.idle_in_xml) {
-      context.diagnostics.report(
-          "xml.light-unused"_code, draft.seen.place(i),
-          fmt::format("<{}> has no effect on a {} light", row.xml, word_of(draft.light.type)));
+      context.diagnostics.report("xml.light-unused"_code, draft.seen.place(i),
+                                 fmt::format("<{}> has no effect on {} light", row.xml,
+                                             with_article(word_of(draft.light.type))));
     }
   }
 }

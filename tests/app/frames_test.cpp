@@ -316,6 +316,9 @@ TEST_F(FramesTest, ErrorsInAPathHaveAPlace) {
     return refused.err;
   };
   EXPECT_THAT(complaint("{\"views\": [\n{\"places\": 1}]}"), HasSubstr("views.json:2:2: unknown"));
+  EXPECT_THAT(complaint(R"({"views": [{"positon": [1, 2, 3]}]})"),
+              HasSubstr("unknown key \"positon\"; did you mean \"position\"?"));
+  EXPECT_THAT(complaint(R"({"views": [], "color": 1})"), HasSubstr("; known: fps, views"));
   EXPECT_THAT(complaint(R"({"views": [{"time": 2}, {"time": 2}]})"), HasSubstr("not after"));
   EXPECT_THAT(complaint(R"({"views": []})"), HasSubstr("no views"));
   EXPECT_THAT(complaint(R"({"views": [{"position": [1, 2]}]})"), HasSubstr("three numbers"));

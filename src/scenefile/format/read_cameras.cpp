@@ -1,6 +1,7 @@
 #include "scenefile/format/read_cameras.h"
 
 #include "scenefile/base/number.h"
+#include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/json_parser.h"
 #include "scenefile/format/text_places.h"
@@ -23,17 +24,14 @@ constexpr double max_fps = 1000;
 constexpr std::string_view look_name = row_of(camera_rows, Field::look).json;
 constexpr std::string_view focus_key = "focus";
 
-// The words of a view, for a message.
-std::string view_words() {
+std::vector<std::string_view> view_words() {
   std::vector<std::string_view> words{"time"};
   for (const ValueRow<Camera>& row : camera_rows) {
     if (!row.json.empty()) {
       words.push_back(row.json);
     }
   }
-  const std::string_view last = words.back();
-  words.pop_back();
-  return fmt::format("{} and {}", fmt::join(words, ", "), last);
+  return words;
 }
 
 // The value as JSON; empty for a row without one.
@@ -68,7 +66,7 @@ class CameraReader {
         path_.fps = fps;
         return read;
       }
-      return key == "views" ? views(value) : unknown(k, key, "fps or views");
+      return key == "views" ? views(value) : unknown(k, key, {"fps", "views"});
     });
     if (!good) {
       return error_;
@@ -100,8 +98,13 @@ class CameraReader {
     error_ = error(item, what);
     return false;
   }
-  bool unknown(JsonIndex key, const std::string& found, std::string_view known) {
-    return fail(key, fmt::format("unknown key {}; known: {}", quoted(found), known));
+  bool unknown(JsonIndex key, const std::string& found,
+               const std::vector<std::string_view>& known) {
+    const std::string_view near = nearest_name(found, known);
+    return fail(
+        key, near.empty()
+                 ? fmt::format("unknown key {}; known: {}", quoted(found), fmt::join(known, ", "))
+                 : fmt::format("unknown key {}; did you mean {}?", quoted(found), quoted(near)));
   }
 
   bool for_each_member(

@@ -52,6 +52,14 @@ TEST_F(Convert, WritesForPovRay) {
   EXPECT_THAT(features.err, HasSubstr("--features"));
 }
 
+TEST_F(Convert, PovRayIsWrittenButNotRead) {
+  const std::string pov = folder.path("a.pov");
+  ASSERT_EQ(run_program({"convert", folder.write("a.xml", good_scene), pov}).status, 0);
+  const ProgramRun back = run_program({"convert", pov, folder.path("b.xml")});
+  EXPECT_EQ(back.status, 1);
+  EXPECT_THAT(back.err, HasSubstr("a POV-Ray scene, which scenefile writes but does not read"));
+}
+
 TEST_F(Convert, StandardStreamsNeedAFormat) {
   const ProgramRun json = run_program({"convert", "-", "-", "--to", "json"}, {.input = good_scene});
   EXPECT_EQ(json.status, 0);

@@ -25,6 +25,7 @@ TEST(OtherFiles, AreIdentified) {
       {"\x89PNG\r\n\x1a\n", "a picture"},
       {"# Blender\nmtllib a.mtl\nv 1 2 3\n", "an OBJ mesh"},
       {"v  -1 2 3\nv 1 2 3\n", "an OBJ mesh"},
+      {"// gamma\n/* 1 */ #version 3.7;\ncamera { }", "writes but does not read"},
       {"[IO]\nscene = a.json\n",
        "a configuration of the course's ray or path tracer, not a scene"}};
   for (const auto& [text, what] : files) {

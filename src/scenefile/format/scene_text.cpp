@@ -144,6 +144,9 @@ constexpr std::string_view configuration =
     "a configuration of the course's ray or path tracer, not a scene; the scene is the file that "
     "it names under [IO]";
 constexpr std::string_view picture = "a picture, not a scene";
+constexpr std::string_view povray =
+    "a POV-Ray scene, which scenefile writes but does not read; convert the scene that it was made "
+    "from";
 
 constexpr FileSignature signatures[] = {
     {"version https://git-lfs"sv,
@@ -199,6 +202,25 @@ std::string_view first_line(std::string_view text) {
   return {};
 }
 
+// The text after white space and C comments.
+std::string_view after_comments(std::string_view text) {
+  for (std::size_t at = 0; (at = text.find_first_not_of(blanks, at)) != std::string_view::npos;) {
+    const std::string_view two = text.substr(at, 2);
+    if (two != "//" && two != "/*") {
+      return text.substr(at);
+    }
+    const std::size_t end = two == "//" ? text.find_first_of("\r\n", at) : text.find("*/", at + 2);
+    at = end == std::string_view::npos ? end : end + (two == "//" ? 1 : 2);
+  }
+  return {};
+}
+
+// NUL if nothing follows them.
+char first_character(std::string_view text) {
+  const std::string_view content = after_comments(text);
+  return content.empty() ? '\0' : content[0];
+}
+
 // What a text is if it is not a scene, and what to do; completes the sentence "the file is". Empty
 // if unknown. `text` must not start with white space.
 std::string_view other_file(std::string_view text) {
@@ -209,7 +231,13 @@ std::string_view other_file(std::string_view text) {
       return signature.what;
     }
   }
-  return is_obj_line(first_line(text)) ? mesh : std::string_view();
+  if (is_obj_line(first_line(text))) {
+    return mesh;
+  }
+  // GLSL has versions without a point.
+  const std::string code = lower_case(after_comments(text).substr(0, longest));
+  const bool directive = code.starts_with("#version 3.") || code.starts_with("global_settings");
+  return directive ? povray : std::string_view();
 }
 
 // The place of the character at `offset`, which only white space precedes.
@@ -222,19 +250,6 @@ Location after_blanks(std::string_view text, std::size_t offset) {
     place.column = ends_line ? 1 : place.column + 1;
   }
   return place;
-}
-
-// The first character after white space and C comments; NUL if there is none.
-char first_character(std::string_view text) {
-  for (std::size_t at = 0; (at = text.find_first_not_of(blanks, at)) != std::string_view::npos;) {
-    const std::string_view two = text.substr(at, 2);
-    if (two != "//" && two != "/*") {
-      return text[at];
-    }
-    const std::size_t end = two == "//" ? text.find_first_of("\r\n", at) : text.find("*/", at + 2);
-    at = end == std::string_view::npos ? end : end + (two == "//" ? 1 : 2);
-  }
-  return '\0';
 }
 
 // Reports that a file is not a scene, in one line that shows nothing of its contents. `found`: what

@@ -75,8 +75,9 @@ constexpr std::array command_rows{
             run_info},
     Command{"convert", for_convert, "IN OUT", "convert a scene to another format, or clean it up",
             "Reads a scene in any dialect and writes it as clean XML or JSON that means the same, "
-            "or for other programs: glTF 2.0, Wavefront OBJ and POV-Ray. Reads glTF models, too, "
-            "and writes their meshes and textures next to the scene. Whatever the target format "
+            "or for other programs: glTF 2.0, Wavefront OBJ and POV-Ray. Reads glTF and OBJ "
+            "models, too, and writes their meshes and textures next to the scene. Whatever the "
+            "target format "
             "cannot express is listed. Comments are not carried over. Texture and mesh names are "
             "adjusted if OUT is in another folder.",
             "scenefile convert chess.xml chess.json\n"
@@ -85,6 +86,7 @@ constexpr std::array command_rows{
             "scenefile convert - - --to json < chess.xml > chess.json\n"
             "scenefile convert chess.xml chess.glb\n"
             "scenefile convert model.glb scene.xml\n"
+            "scenefile convert model.obj scene.xml\n"
             "scenefile convert chess.xml chess.pov && povray chess.pov File_Gamma=1.0",
             run_convert, two},
     Command{"diff", for_diff, "A [B]", "show how two scenes or two pictures differ",

@@ -60,6 +60,11 @@ TEST_F(Convert, PovRayIsWrittenButNotRead) {
   EXPECT_THAT(back.err, HasSubstr("a POV-Ray scene, which scenefile writes but does not read"));
 }
 
+TEST_F(Convert, HelpNamesTheModelsThatAreRead) {
+  EXPECT_THAT(run_program({"help", "convert"}).out,
+              AllOf(HasSubstr("glTF and OBJ"), HasSubstr("convert model.obj scene.xml")));
+}
+
 TEST_F(Convert, StandardStreamsNeedAFormat) {
   const ProgramRun json = run_program({"convert", "-", "-", "--to", "json"}, {.input = good_scene});
   EXPECT_EQ(json.status, 0);

@@ -105,12 +105,12 @@ void judge_picture(std::string_view bytes, std::string_view layer, const Limits&
     require(!decoded.error().text.empty(), "there is a picture or a reason");
     return;
   }
-  const auto& [texture, linear, not_finite, jpeg] = *decoded;
+  const auto& [texture, linear, not_finite, jpeg, transparent] = *decoded;
   const std::size_t values = std::size_t{3} * texture.width * texture.height;
   require(values > 0 && texture.rgb.size() == values, "a picture is complete");
   require(linear.rgb.empty() || linear.rgb.size() == values, "floats are complete");
   require(linear.rgb.size() * sizeof(float) + values <= limits.texture_bytes, "bytes are limited");
-  require(not_finite <= values / 3 && !jpeg, "pixels are counted");
+  require(not_finite <= values / 3 && !jpeg && !transparent, "pixels are counted");
 }
 
 // Decoded pictures survive encoding; only for pictures small enough to test each time.

@@ -931,8 +931,6 @@ TEST(Causes, OneEditedValueOfTheScene) {
        [&](Scene& s) {
          object(s, 2).primitives[0].material.diffuse = {0.1f, 0.9f, 0.2f};
        }},
-      {"the shininess of the sphere",
-       [&](Scene& s) { object(s, 2).primitives[0].material.shininess *= 2.6f; }},
       {"the blend of the cylinder",
        [&](Scene& s) { object(s, 3).primitives[0].material.blend = 1; }},
       {"the translation of an object",

@@ -129,8 +129,8 @@ std::string convert(LoadedScene& scene, const Options& options, std::vector<Impo
                     Context& context) {
   drop_notes(scene.diagnostics);
   const ConvertTo to = *options.to;
-  const bool path =
-      lit_by_faces_only(scene);  // false without assets, which scene files do not need
+  // False without assets, which are not loaded to write a scene file.
+  const bool path = lit_by_faces_only(scene);
   if (path) {
     use_face_materials(scene.ready.scene, scene.assets, assumed_transparent, to != ConvertTo::pov,
                        scene.diagnostics);

@@ -46,8 +46,9 @@ bool explains_rest(const Simulation& sim, const Combination& with, const Combina
   constexpr double mostly = 0.85;
   const std::size_t count = sim.points.size();
   const Effect e = effect_of(sim, sim.predicted(with, count), sim.predicted(without, count));
-  return e.points >= few_pixels && e.gained >= min_partial * e.changed &&
-         e.right >= nearly_all * e.changed && e.within_rounding >= mostly * e.changed;
+  return e.points >= few_pixels && e.gained >= double(few_pixels) &&
+         e.gained >= min_partial * e.changed && e.right >= nearly_all * e.changed &&
+         e.within_rounding >= mostly * e.changed;
 }
 
 // The mistakes with the one in addition that explains most of the rest.

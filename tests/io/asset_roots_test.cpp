@@ -195,6 +195,32 @@ TEST_F(Layout, LinksAreCheckedByTheirTarget) {
   finds("inner.png", "scenes/sub/a.png", AssetRule::scene_folder);
 }
 
+// The links are in the roots, and following them would reveal what is outside.
+TEST_F(Layout, ALinkThatLeadsOutIsNamedWhetherOrNotItsTargetExists) {
+  home.write("secret/key.pem");
+  const auto link = [&](const char* target, const char* at) {
+    ASSERT_EQ(::symlink(target, home.path("scenes/" + std::string(at)).c_str()), 0);
+  };
+  link("../secret/key.pem", "there");
+  link("../secret/gone.pem", "gone");
+  link("/none/at/all", "none");
+  link("../secret", "folder");
+  link("there", "chain");
+  link("missing", "inside");
+  link("loop", "loop");
+  const std::string says =
+      " is a link that leads out of the folders that may be read\n"
+      "files elsewhere need --asset-root DIR or --allow-outside";
+  for (const std::string name : {"there", "gone", "none"}) {
+    EXPECT_EQ(misses(name), name + says);
+  }
+  EXPECT_EQ(misses("chain"), "there" + says);
+  EXPECT_EQ(misses("folder/key.pem"), "folder" + says);
+  EXPECT_EQ(misses("folder/gone.pem"), "folder" + says);
+  EXPECT_THAT(misses("inside"), HasSubstr("no such file\nlooked for inside\n"));
+  EXPECT_THAT(misses("loop"), HasSubstr("no such file\nlooked for loop\n"));
+}
+
 TEST_F(Layout, OnlyRegularFiles) {
   std::filesystem::create_directories(home.path("scenes/dir.png"));
   ASSERT_EQ(::mkfifo(home.path("scenes/pipe.png").c_str(), 0600), 0);

@@ -154,6 +154,10 @@ class AssetSearch {
     result_.tried.push_back(candidate);
     const std::string path = canonical(candidate);
     if (path.empty() || !roots_.contains(path)) {
+      if (const std::string link = link_out_of_roots(candidate); !link.empty()) {
+        obstacle_ = fmt::format("{} is a link that leads out of the folders that may be read",
+                                escaped(from_scene(link), PATH_MAX));
+      }
       return false;
     }
     struct stat status {};
@@ -227,6 +231,34 @@ class AssetSearch {
     }
     return best.size() == 1 &&
            take(best[0], most.first > 1 ? AssetRule::path_suffix : AssetRule::base_name);
+  }
+
+  // The link in the roots through which the path leads out of them; empty if there is none. Follows
+  // no link outside, so that the answer is the same whether or not the target exists.
+  std::string link_out_of_roots(const std::string& candidate) const {
+    constexpr int max_links = 40;
+    namespace fs = std::filesystem;
+    fs::path here = "/";
+    std::string link;
+    int links = 0;
+    std::vector<fs::path> rest;  // in reverse order
+    const auto follow = [&rest](const fs::path& path) {
+      const std::vector<fs::path> parts(path.begin(), path.end());
+      rest.insert(rest.end(), parts.rbegin(), parts.rend());
+    };
+    for (follow(candidate); !rest.empty();) {
+      const fs::path next = here / rest.back();
+      rest.pop_back();
+      std::error_code error;
+      const fs::path target = roots_.contains(here.string()) ? fs::read_symlink(next, error) : "";
+      if (!target.empty() && links++ < max_links) {
+        link = next.string();
+        follow(target);
+      } else {
+        here = next.lexically_normal();
+      }
+    }
+    return roots_.contains(here.string()) ? "" : link;
   }
 
   // The message does not reveal whether a file outside the roots exists, so that scenes cannot be

@@ -6,10 +6,12 @@
 
 namespace scenefile {
 
-bool needs_place(Field field, const glm::vec3& value) {
+bool needs_place(Field field, const glm::vec3& value, const Scene& scene) {
+  constexpr std::size_t few = 10'000;
   // A finding about these two is only about their own numbers, not about other values.
   const bool by_itself = field == Field::diffuse || field == Field::ambient;
-  return !by_itself || !glm::all(glm::greaterThanEqual(value, glm::vec3(0))) ||
+  return scene.field_places.size() < few || !by_itself ||
+         !glm::all(glm::greaterThanEqual(value, glm::vec3(0))) ||
          !glm::all(glm::lessThanEqual(value, glm::vec3(1)));
 }
 

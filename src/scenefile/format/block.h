@@ -12,9 +12,10 @@
 
 namespace scenefile {
 
-/// Whether a finding could refer to these three numbers, so that their place must be stored. Scenes
-/// with a million objects have as many ordinary colors.
-bool needs_place(Field field, const glm::vec3& value);
+/// Whether the place of these three numbers must be stored, because a finding could refer to them
+/// or because the scene has few values so far. Scenes with a million objects have as many ordinary
+/// colors, to which only the causes of a picture's differences could refer.
+bool needs_place(Field field, const glm::vec3& value, const Scene& scene);
 
 /// The values of a block, and where what is known of them is stored.
 template <typename Owner>
@@ -43,7 +44,7 @@ struct BlockReader {
     } else if (vector != nullptr) {
       store(*vector, value.three(row.kind, values.**vector));
     }
-    if (vector == nullptr || needs_place(*row.field, values.**vector)) {
+    if (vector == nullptr || needs_place(*row.field, values.**vector, scene)) {
       note(*row.field, value);
     }
   }

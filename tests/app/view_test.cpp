@@ -465,12 +465,20 @@ TEST_F(View, TracesPathsAndExplainsThem) {
               HasSubstr("leave --samples out"));
 }
 
+TEST_F(View, AFileThatDoesNotExistIsANewScene) {
+  const std::string fresh = folder.path("new.xml");
+  EXPECT_EQ(view({fresh, "--screenshot", folder.path("n.png")}).status, 0);
+  EXPECT_EQ(picture("n.png").width, 800);
+  EXPECT_FALSE(std::filesystem::exists(fresh));
+  const ProgramRun run =
+      view({fresh, "--script", folder.write("tour.txt", "settle\nkey C\nkey Ctrl+S\nsettle\n")});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(folder.read("new.xml"), HasSubstr("<scenefile>"));
+}
+
 TEST_F(View, ReportsErrors) {
   folder.write("empty/readme.txt");
   EXPECT_THAT(view({folder.path("none/none.xml")}).err, HasSubstr("no such file"));
-  EXPECT_THAT(view({folder.path("none.xml"), "--screenshot", folder.path("n.png")}).err,
-              HasSubstr("no such file"))
-      << "a new scene needs somebody at the window";
   EXPECT_THAT(view({path, folder.path("none.png")}).err, HasSubstr("no such file"));
   EXPECT_THAT(view({folder.path("empty")}).err, HasSubstr("no scene in this folder"));
   const ProgramRun run = tour("settle\njump\n");

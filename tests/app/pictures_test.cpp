@@ -474,6 +474,9 @@ TEST_F(DiffImages, ThePartThatShowsTheSceneIsCompared) {
   EXPECT_EQ(answer["place"]["y"].GetInt(), -4);
   EXPECT_EQ(answer["place"]["width"].GetInt(), 160);
   EXPECT_STREQ(answer["causes"][0]["cause"].GetString(), "ambient");
+  EXPECT_STREQ(answer["broken"][0].GetString(),
+               "the size is 140x110, expected 160x120; compared with the part at 9,4 of the "
+               "reference");
   show_at(folder, "whole.png", "right-window.png", {7, 21}, {180, 150});
   EXPECT_THAT(program({"diff", "whole.png", "right-window.png", "--scene", "two.xml"}).out,
               HasSubstr("cause: none; the part that was compared is right\n"));

@@ -132,20 +132,27 @@ void make_comparable(const Texture& given, const Texture& test, const LoadedScen
 }
 
 std::string what_was_compared(const PictureComparison& found) {
-  std::string text;
-  if (found.place) {
-    const glm::ivec2 from = glm::max(found.place->corner, glm::ivec2(0));
-    const glm::ivec2 to = glm::min(found.place->corner + found.place->size, found.test_size);
-    text = fmt::format("its part at {},{} of size {}x{}, ", from.x, from.y, to.x - from.x,
-                       to.y - from.y);
-    if (to - from != found.place->size) {
-      text += fmt::format("where a picture of size {}x{} is cut off, ", found.place->size.x,
-                          found.place->size.y);
-    }
+  const std::string whole = found.drawn       ? "with our picture of the scene at that size"
+                            : found.resampled ? "after scaling"
+                                              : "with the reference";
+  if (!found.place) {
+    return whole;
   }
-  return text + (found.drawn       ? "with our picture of the scene at that size"
-                 : found.resampled ? "after scaling"
-                                   : "with the reference");
+  const auto& [corner, size] = *found.place;
+  const glm::ivec2 from = glm::max(corner, glm::ivec2(0));
+  const glm::ivec2 shown = glm::min(corner + size, found.test_size) - from;
+  const std::string part =
+      shown == found.test_size
+          ? ""
+          : fmt::format("its part at {},{} of size {}x{}, ", from.x, from.y, shown.x, shown.y);
+  if (shown == size) {
+    return part + whole;
+  }
+  const glm::ivec2 cut = from - corner;
+  return part + fmt::format("with the part at {},{} of ", cut.x, cut.y) +
+         (found.drawn       ? fmt::format("our picture of the scene at {}x{}", size.x, size.y)
+          : found.resampled ? fmt::format("the reference scaled to {}x{}", size.x, size.y)
+                            : "the reference");
 }
 
 }  // namespace scenefile

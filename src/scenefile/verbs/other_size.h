@@ -14,7 +14,8 @@ void make_comparable(const Texture& given, const Texture& test, const LoadedScen
                      const std::vector<DrawnWay>& ways, const std::function<bool(double)>& go_on,
                      PictureComparison& found);
 
-/// Such as "its part at 10,20 of size 640x480, after scaling".
+/// Such as "its part at 10,20 of size 640x480, after scaling" of a screenshot, or "with the part at
+/// 30,20 of the reference" of a part that was cut out.
 std::string what_was_compared(const PictureComparison& found);
 
 /// The pixels of a whole picture of that size that are in `test`.

@@ -48,9 +48,18 @@ std::vector<DrawnWay> ways_to_fit(const viewer::FitQuestion& question, const Opt
 
 DrawnWay fitting_way(const viewer::FitQuestion& question, const LoadedScene& scene,
                      const Options& options) {
+  const Texture& picture = question.picture->texture;
   const std::vector<DrawnWay> ways = ways_to_fit(question, options);
-  const bool known = ways.size() == 1 && !ways.front().realtime && !question.is_reference;
-  return known ? ways.front() : ways_drawn(question.picture->texture, scene, ways).front();
+  if (ways.size() == 1 && !ways.front().realtime && !question.is_reference) {
+    return ways.front();
+  }
+  const DrawnWay way = ways_drawn(picture, scene, ways).front();
+  if (way.realtime) {
+    return way;
+  }
+  // The profile of a wrong picture is a guess; its samples are not worth one.
+  ReferenceWay exact = reference_way(picture, scene, way, ways);
+  return question.is_reference || exact.exactly ? std::move(exact.way) : way;
 }
 
 // Against the truth, as `diff`; a reference would have noise of its own.
@@ -140,9 +149,8 @@ std::optional<viewer::PictureFit> fit_for_view(const viewer::FitQuestion& questi
   try {
     const LoadedScene scene = loaded_of(*question.scene);
     const DrawnWay way = fitting_way(question, scene, options);
-    return viewer::PictureFit{
-        way.options, way.realtime, way.words,
-        share_unlike(question.picture->texture, scene, way) <= max_share_same};
+    return viewer::PictureFit{way.options, way.realtime, way.words,
+                              equals_ours(question.picture->texture, scene, way)};
   } catch (const std::bad_alloc&) {
     return std::nullopt;
   }

@@ -353,12 +353,22 @@ TEST_F(DiffImages, AReferenceIsSaidToBeDrawnWithItsSamples) {
   program({"render", "ball.xml", "-o", "many.png", "--size", "64x48", "--profile", "course",
            "--features", features, "--quiet"});
   const std::string said = program({"diff", "many.png", "wrong.png", "--scene", "ball.xml"}).out;
-  EXPECT_THAT(said, HasSubstr("reference: as drawn with --profile course --features "));
-  EXPECT_THAT(said, HasSubstr("super-sample"));
+  EXPECT_THAT(said, HasSubstr("reference: as drawn with --profile course --features all\n"));
   const auto picture = decode_image(folder.read("right.png"));
   folder.write("right.jpg", jpeg_of(*picture, 60));
   EXPECT_THAT(program({"diff", "right.jpg", "wrong.png", "--scene", "ball.xml"}).out,
               HasSubstr("reference: nearly as drawn with --profile course"));
+}
+
+// The other features do not show, so all of them draw the same.
+TEST_F(DiffImages, TheReferenceIsTheSameForTwoPictures) {
+  program({"render", "ball.xml", "-o", "fine.png", "--size", "64x48", "--quiet"});
+  program({"render", "brighter.xml", "-o", "other.png", "--size", "64x48", "--quiet"});
+  for (const char* picture : {"wrong.png", "other.png", "right.png"}) {
+    EXPECT_THAT(program({"diff", "fine.png", picture, "--scene", "ball.xml"}).out,
+                HasSubstr("reference: as drawn with --profile fine\n"))
+        << picture;
+  }
 }
 
 TEST_F(DiffImages, OtherSizesAndFiles) {
@@ -431,7 +441,9 @@ TEST_F(DiffImages, APictureWithoutFeaturesThatTheReferenceDoesNotShow) {
   EXPECT_THAT(
       program({"diff", "below.png", "above.png", "--scene", "below.xml"}).out,
       AllOf(HasSubstr("\ncause: rotations turn the wrong way [transforms]\n       simulating"),
-            HasSubstr("--features none\n")));
+            HasSubstr("\n note: the picture is drawn with --profile course --features none; "
+                      "the reference looks the same with it; this is not a mistake"),
+            HasSubstr("reference: as drawn with --profile course\n")));
 }
 
 // The picture on a gray one, or the part of it that is visible there.

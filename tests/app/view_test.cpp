@@ -254,6 +254,23 @@ TEST_F(View, ReferenceAndMineAreComparedAsByDiff) {
   EXPECT_THAT(view({path, "--mine", folder.path("none.png")}).err, HasSubstr("no such file"));
 }
 
+// With the default profile and a lens, hardly a pixel has the color of the ray through its center.
+TEST_F(View, OurOwnPictureIsTheReference) {
+  const std::string lens = folder.write(
+      "lens.xml", replaced(scene, "<heightangle v=\"45\"/>",
+                           "<heightangle v=\"45\"/><aperture v=\"1\"/><focallength v=\"3\"/>"));
+  const std::string ours = folder.path("ours.png");
+  ASSERT_EQ(run_program({"render", lens, "--size", "160x120", "-o", ours, "--quiet"}).status, 0);
+  const ProgramRun run =
+      view({lens, ours, "--script",
+            folder.write("tour.txt",
+                         "settle\nkey Y\nframes 4\nclick 444 299\nsettle\nkey Ctrl+C\n"
+                         "frames 2\ncopied " +
+                             folder.path("copied.txt") + "\n")});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(folder.read("copied.txt"), HasSubstr("reference: ours.png has "));
+}
+
 TEST_F(View, TheWindowIsCompleteWhileOpenGlIsCompared) {
   const std::string reference = folder.path("reference.png");
   ASSERT_EQ(run_program({"render", path, "--size", "320x240", "-o", reference, "--quiet"}).status,

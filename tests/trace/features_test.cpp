@@ -59,5 +59,17 @@ TEST(Features, ProjectsOfTheCourse) {
   EXPECT_EQ(feature_list_words().size(), 11u);
 }
 
+// A name instead of a list, where there is one, and in any case the same features.
+TEST(Features, TheShortestList) {
+  for (const std::string_view list : {"all", "none", "illuminate", "shadows", "reflect,texture"}) {
+    RenderOptions options;
+    EXPECT_EQ(parse_features(list, options), "");
+    EXPECT_EQ(feature_list(options.features), list);
+  }
+  Features all;
+  EXPECT_EQ(parse_features("texture,shadows,reflect", all), "");
+  EXPECT_EQ(feature_list(all), "illuminate");
+}
+
 }  // namespace
 }  // namespace scenefile

@@ -1,5 +1,6 @@
 #include "scenefile/verbs/compare_pictures.h"
 
+#include "scenefile/trace/features.h"
 #include "support/jpeg_bytes.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include <functional>
 #include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace scenefile {
@@ -69,6 +71,61 @@ TEST(ComparePictures, RivalsThatTheCauseNamesAreNotSaidTwice) {
   const std::size_t said = rivals.find("\"said\": true");
   EXPECT_LT(said, rivals.find("\"ambient\"")) << rivals;
   EXPECT_EQ(rivals.find("\"said\"", said + 1), std::string::npos) << rivals;
+
+Texture drawn_with(const LoadedScene& scene, RenderOptions options) {
+  options.width = 160;
+  options.height = 120;
+  return quantize(render(scene.ready.scene, scene.assets, options).image,
+                  rounding_of(options.profile));
+}
+
+// With sets of features that draw the same picture, the profile's own, or one with a name.
+TEST(ComparePictures, HowAReferenceWasDrawnInTheFewestWords) {
+  const LoadedScene scene = load_scene("ball.xml", ball, {});
+  std::string two = ball;
+  two.insert(two.rfind("</object>"),
+             "<transblock><translate x=\"0.5\" y=\"0.5\" z=\"0.5\"/><scale x=\"0.3\" y=\"0.3\" "
+             "z=\"0.3\"/><object type=\"primitive\" name=\"cube\"><diffuse r=\"0.2\" g=\"0.5\" "
+             "b=\"0.8\"/></object></transblock>");
+  const LoadedScene shaded = load_scene("two.xml", two, {});
+  const std::vector<DrawnWay> ways = possible_ways(
+      std::array{default_options(Profile::course), default_options(Profile::fine)}, false);
+  const auto words = [&](const LoadedScene& of, Profile profile, std::string_view features) {
+    RenderOptions options = default_options(profile);
+    if (!features.empty()) {
+      parse_features(features, options);
+    }
+    const Texture reference = drawn_with(of, options);
+    const ReferenceWay found =
+        reference_way(reference, of, ways_drawn(reference, of, ways).front(), ways);
+    EXPECT_TRUE(found.exactly);
+    return found.way.words;
+  };
+  for (const LoadedScene* const of : {&scene, &shaded}) {
+    EXPECT_EQ(words(*of, Profile::course, ""), "--profile course");
+    EXPECT_EQ(words(*of, Profile::fine, ""), "--profile fine");
+    EXPECT_EQ(words(*of, Profile::course, "illuminate"), "--profile course");
+    EXPECT_EQ(words(*of, Profile::course, "all"), "--profile course --features all");
+  }
+  EXPECT_EQ(words(scene, Profile::course, "none"), "--profile course");
+  EXPECT_EQ(words(shaded, Profile::course, "none"), "--profile course --features none");
+  EXPECT_EQ(words(shaded, Profile::fine, "none"), "--profile fine --features none");
+}
+
+// The edges of the ball are blurred, so that single samples differ from ours nearly everywhere.
+TEST(ComparePictures, OurPictureEqualsOursWithAnySamples) {
+  std::string blurred = ball;
+  blurred.replace(blurred.find("<heightangle"), 0, "<aperture v=\"1.5\"/><focallength v=\"2\"/>");
+  const LoadedScene scene = load_scene("ball.xml", blurred, {});
+  ASSERT_TRUE(scene.usable());
+  const DrawnWay way{default_options(Profile::fine), "--profile fine"};
+  Texture picture = drawn_with(scene, way.options);
+  EXPECT_GT(share_unlike(picture, scene, way), max_share_same);
+  EXPECT_TRUE(equals_ours(picture, scene, way));
+  for (std::size_t i = 0; i < picture.rgb.size() / 50; ++i) {
+    picture.rgb[i] ^= 0x40;
+  }
+  EXPECT_FALSE(equals_ours(picture, scene, way));
 }
 
 // As many scattered pixels would count as details, but edges do not fill squares.

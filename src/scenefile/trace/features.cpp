@@ -104,4 +104,27 @@ std::string_view parse_features(std::string_view list, RenderOptions& options) {
   return parse_features(list, options.features);
 }
 
+std::string feature_list(const Features& features) {
+  for (const bool on : {true, false}) {
+    if (features == with_all(on)) {
+      return on ? "all" : "none";
+    }
+  }
+  for (const Project& project : projects) {
+    Features named;
+    parse_features(project.features, named);
+    if (!project.mode && features == named) {
+      return std::string(project.name);
+    }
+  }
+  std::string list;
+  visit_options(features, [&](const OptionField& field, bool on) {
+    if (on) {
+      list += list.empty() ? "" : ",";
+      list += field.name;
+    }
+  });
+  return list;
+}
+
 }  // namespace scenefile

@@ -5,6 +5,7 @@
 #include "scenefile/trace/render.h"
 
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace scenefile {
@@ -19,6 +20,9 @@ std::string_view parse_features(std::string_view list, Features& features);
 /// The same for a list that may also be a project of the course: `intersect`, which also sets the
 /// mode, or `illuminate`.
 std::string_view parse_features(std::string_view list, RenderOptions& options);
+
+/// The shortest list that gives these features: a word that stands alone, if there is one.
+std::string feature_list(const Features& features);
 
 /// All words of such lists: the seven names, and the words that stand alone.
 std::span<const std::string_view> feature_list_words();

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <set>
 
@@ -73,6 +74,32 @@ std::size_t equal_values(const Texture& a, const Texture& b) {
   return count;
 }
 
+// Sets in which way the reference was drawn, with its samples, which the search for causes does not
+// need. It depends on the reference only, so that two pictures get the same answer; if the search
+// needed other features, a note says so.
+void find_drawn_with(const Texture& reference, const LoadedScene& scene,
+                     const std::vector<DrawnWay>& ways, const CompareSettings& settings,
+                     PictureComparison& found) {
+  std::vector<DrawnWay> possible = settings.ways;
+  if (!found.contradicted.empty()) {
+    RenderOptions usual = default_options(ways.front().options.profile);
+    usual.max_depth = ways.front().options.max_depth;
+    possible = possible_ways(std::array{usual}, false);
+  }
+  if (found.drawn_with != ways.front().words && !found.causes.claims.empty()) {
+    found.causes.notes.push_back(
+        {Cause::features,
+         fmt::format("the picture is drawn with {}; the reference looks the same with it",
+                     found.drawn_with),
+         {},
+         0});
+  }
+  const ReferenceWay drawn = reference_way(reference, scene, ways.front(), possible);
+  found.drawn_with = drawn.way.words;
+  found.drawn_options = drawn.way.options;
+  found.drawn_exactly = drawn.exactly;
+}
+
 // `linear`: the difference of the pictures as floats, or null.
 PictureComparison compare(const Texture& given, const Texture& test, const ImageDifference* linear,
                           const LoadedScene* scene, const CompareSettings& settings,
@@ -130,6 +157,9 @@ PictureComparison compare(const Texture& given, const Texture& test, const Image
     const ComparedPart part{found.whole, found.corner, 1, {}, asked};
     const bool noisy = settings.lossy || found.resampled || has_palette(shown);
     look_for_causes(reference, shown, drawable, ways, part, noisy, settings, forward, found);
+    if (!found.drawn_with.empty() && !found.realtime && !settings.ways_fit && found.scene_fits()) {
+      find_drawn_with(given, *drawable, ways, settings, found);
+    }
     if (!noisy && (found.causes.only_details || !found.causes.notes.empty())) {
       found.details = words_of_details(reference, shown);
     }

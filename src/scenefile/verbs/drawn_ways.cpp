@@ -1,13 +1,20 @@
 #include "scenefile/verbs/drawn_ways.h"
 
+#include "scenefile/asset/compare_images.h"
 #include "scenefile/base/text.h"
+#include "scenefile/compare/sheet.h"
 #include "scenefile/trace/features.h"
+#include "scenefile/trace/trace_scene.h"
+#include "scenefile/verbs/search_causes.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <set>
+#include <utility>
 
 namespace scenefile {
 
@@ -49,18 +56,93 @@ void most_different_first(std::span<const SceneView> views, std::vector<AlikeVie
   });
 }
 
+// The rows of a picture with the most contrast.
+PixelRegion telling_rows(const Texture& picture) {
+  constexpr int max_rows = 24;
+  const int rows = std::min(max_rows, picture.height);
+  PixelRegion best{0, 0, picture.width, rows};
+  std::uint64_t most = 0;
+  for (int top = 0; top + rows <= picture.height; top += rows) {
+    std::uint64_t contrast = 0;
+    for (int y = top; y < top + rows; ++y) {
+      const std::uint8_t* row = picture.texel(0, y);
+      for (int i = 3; i < 3 * picture.width; ++i) {
+        contrast += static_cast<std::uint64_t>(std::abs(row[i] - row[i - 3]));
+      }
+    }
+    if (contrast > most) {
+      most = contrast;
+      best = {0, top, picture.width, top + rows};
+    }
+  }
+  return best;
+}
+
+// Our picture of the scene, or of rows of it; empty if it cannot be drawn.
+Texture our_rows(const LoadedScene& scene, RenderOptions options, const glm::ivec2& size,
+                 const std::optional<PixelRegion>& rows, const TraceScene* traced) {
+  options.width = size.x;
+  options.height = size.y;
+  options.crop = rows;
+  RenderControl control;
+  control.traced = traced;
+  const RenderResult drawn = our_picture(scene, options, std::move(control));
+  return drawn.status == RenderStatus::complete
+             ? quantize(drawn.image, rounding_of(options.profile))
+             : Texture();
+}
+
+// The share of the values that differ by at most `within`.
+double share_of_values(const Texture& a, const Texture& b, int within) {
+  if (a.rgb.size() != b.rgb.size() || a.rgb.empty()) {
+    return 0;
+  }
+  std::size_t equal = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) {
+    equal += std::abs(a.rgb[i] - b.rgb[i]) <= within ? 1 : 0;
+  }
+  return static_cast<double>(equal) / static_cast<double>(a.rgb.size());
+}
+
+// With each profile, the features of `way` and those that come first, then the same with the other
+// samples of the course.
+std::vector<RenderOptions> likely_options(const DrawnWay& way,
+                                          const std::vector<DrawnWay>& possible) {
+  std::vector<RenderOptions> likely{way.options};
+  std::set<Profile> profiles;
+  for (const DrawnWay& one : possible) {
+    if (!one.realtime && profiles.insert(one.options.profile).second) {
+      likely.push_back(one.options);
+      likely.back().mode = way.options.mode;
+      likely.back().features = way.options.features;
+      likely.push_back(one.options);
+    }
+  }
+  for (std::size_t i = 0, count = likely.size(); i < count; ++i) {
+    if (likely[i].profile == Profile::course && likely[i].mode == Mode::ray) {
+      likely.push_back(likely[i]);
+      likely.back().features.super_sample = !likely[i].features.super_sample;
+    }
+  }
+  return likely;
+}
+
+// Whether the words list features one by one, instead of naming a set of them.
+bool lists_features(const DrawnWay& way) {
+  constexpr std::string_view option = "--features ";
+  const std::size_t at = way.words.rfind(option);
+  const std::size_t start = at == std::string::npos ? way.words.size() : at + option.size();
+  Features any;
+  return find_feature(any, std::string_view(way.words).substr(
+                               start, way.words.find(',', start) - start)) != nullptr;
+}
+
 }  // namespace
 
 std::string options_text(const RenderOptions& options) {
   const RenderOptions usual = default_options(options.profile);
-  Features features = options.features;
-  std::vector<std::string_view> words;
-  for (const std::string_view word : feature_words()) {
-    if (*find_feature(features, word)) {
-      words.push_back(word);
-    }
-  }
-  const bool ray_caster = options.mode == Mode::intersect && words.empty();
+  const std::string features = feature_list(options.features);
+  const bool ray_caster = options.mode == Mode::intersect && features == "none";
   std::string text = fmt::format("--profile {}", profile_word(options.profile));
   if (options.max_depth != usual.max_depth) {
     text += fmt::format(" --max-depth {}", options.max_depth);
@@ -71,8 +153,7 @@ std::string options_text(const RenderOptions& options) {
   if (ray_caster) {
     text += " --features intersect";
   } else if (options.features != usual.features) {
-    text +=
-        words.empty() ? " --features none" : fmt::format(" --features {}", fmt::join(words, ","));
+    text += " --features " + features;
   }
   return text;
 }
@@ -94,6 +175,60 @@ double share_unlike(const Texture& picture, const LoadedScene& scene, const Draw
   }
   const SceneView view = view_of(scene, way);
   return find_causes(picture, picture, &view).share_scene_unlike;
+}
+
+bool equals_ours(const Texture& picture, const LoadedScene& scene, const DrawnWay& way) {
+  if (share_unlike(picture, scene, way) <= max_share_same) {
+    return true;
+  }
+  const glm::ivec2 size(picture.width, picture.height);
+  return !way.realtime &&
+         compare_images(picture, our_rows(scene, way.options, size, std::nullopt, nullptr), 1)
+                 .share_over <= max_share_same;
+}
+
+ReferenceWay reference_way(const Texture& reference, const LoadedScene& scene, const DrawnWay& way,
+                           const std::vector<DrawnWay>& possible) {
+  constexpr double nearly_all = 0.98;
+  const glm::ivec2 size(reference.width, reference.height);
+  const PixelRegion rows = telling_rows(reference);
+  const Texture theirs = cut_out(reference, {rows.x0, rows.y0}, {rows.width(), rows.height()});
+  const TraceScene traced(scene.ready.scene, scene.assets, {.threads = way.options.threads});
+  const auto drawn = [&](const RenderOptions& options) {
+    return our_rows(scene, options, size, rows, &traced);
+  };
+  RenderOptions best = way.options;
+  Texture ours;
+  double most = nearly_all;
+  std::set<std::string> tried;
+  for (const RenderOptions& options : likely_options(way, possible)) {
+    if (!tried.insert(options_text(options)).second) {
+      continue;
+    }
+    Texture here = drawn(options);
+    const bool all = share_of_values(here, theirs, 0) == 1;
+    if (const double share = share_of_values(here, theirs, 1); all || share > most) {
+      most = share;
+      best = options;
+      ours = std::move(here);
+    }
+    if (all) {
+      break;
+    }
+  }
+  const bool exactly = !ours.empty();
+  if (!exactly) {
+    ours = drawn(best);
+  }
+  for (const bool listed : {false, true}) {
+    for (const DrawnWay& one : possible) {
+      if (!one.realtime && one.options.profile == best.profile && lists_features(one) == listed &&
+          share_of_values(ours, drawn(one.options), 0) == 1) {
+        return {one, exactly};
+      }
+    }
+  }
+  return {{best, options_text(best)}, exactly};
 }
 
 std::vector<DrawnWay> folder_first(std::string_view reference, std::vector<DrawnWay> ways) {

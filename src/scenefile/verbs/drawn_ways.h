@@ -51,6 +51,23 @@ double share_unlike(const Texture& picture, const LoadedScene& scene, const Draw
 /// If more than this share differs, the scene or its settings are not those of the reference.
 inline constexpr double max_share_unlike = 0.1;
 
+/// Whether the picture is ours, drawn this way, except at edges and by rounding. Where samples
+/// matter everywhere, only drawing all of it tells.
+bool equals_ours(const Texture& picture, const LoadedScene& scene, const DrawnWay& way);
+
+/// How a reference was drawn.
+struct ReferenceWay {
+  DrawnWay way;
+  bool exactly = false;  ///< our picture drawn this way has its values within rounding
+};
+
+/// The way that draws all values of the reference, or else nearly all of them within rounding, with
+/// the features of `way`, or the first ones of a profile, with each profile of `possible`, with or
+/// without super-sampling; `way` if none does. Of the ways in `possible` that draw the same
+/// picture, one that needs no list of features is preferred.
+ReferenceWay reference_way(const Texture& reference, const LoadedScene& scene, const DrawnWay& way,
+                           const std::vector<DrawnWay>& possible);
+
 /// The part of the picture of a scene that is compared: members of SceneView.
 struct ComparedPart {
   glm::dvec2 whole{0};

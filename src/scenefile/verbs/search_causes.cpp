@@ -5,7 +5,6 @@
 #include "scenefile/verbs/jpeg_noise.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <new>
@@ -154,67 +153,6 @@ bool probably_exchanged(const Texture& reference, const Texture& test, const Loa
   return !swapped.claims.empty() && explained_by_one(swapped);
 }
 
-// The rows of a picture with the most contrast.
-PixelRegion telling_rows(const Texture& picture) {
-  constexpr int max_rows = 24;
-  const int rows = std::min(max_rows, picture.height);
-  PixelRegion best{0, 0, picture.width, rows};
-  std::uint64_t most = 0;
-  for (int top = 0; top + rows <= picture.height; top += rows) {
-    std::uint64_t contrast = 0;
-    for (int y = top; y < top + rows; ++y) {
-      const std::uint8_t* row = picture.texel(0, y);
-      for (int i = 3; i < 3 * picture.width; ++i) {
-        contrast += static_cast<std::uint64_t>(std::abs(row[i] - row[i - 3]));
-      }
-    }
-    if (contrast > most) {
-      most = contrast;
-      best = {0, top, picture.width, top + rows};
-    }
-  }
-  return best;
-}
-
-// The share of the values in these rows that our picture of the scene has within rounding.
-double share_of_equal_values(const Texture& reference, const PixelRegion& rows,
-                             const LoadedScene& scene, RenderOptions options) {
-  options.width = reference.width;
-  options.height = reference.height;
-  options.crop = rows;
-  const RenderResult drawn = our_picture(scene, options);
-  if (drawn.status != RenderStatus::complete) {
-    return 0;
-  }
-  const Texture ours = quantize(drawn.image, rounding_of(options.profile));
-  const std::uint8_t* theirs = reference.texel(0, rows.y0);
-  std::size_t equal = 0;
-  for (std::size_t i = 0; i < ours.rgb.size(); ++i) {
-    equal += std::abs(ours.rgb[i] - theirs[i]) <= 1 ? 1 : 0;
-  }
-  return static_cast<double>(equal) /
-         static_cast<double>(std::max<std::size_t>(1, ours.rgb.size()));
-}
-
-// Sets in which way the reference was drawn, which includes its samples, and whether exactly so.
-// The search for causes needs neither.
-void find_drawn_with(const Texture& reference, const LoadedScene& scene, const DrawnWay& way,
-                     PictureComparison& found) {
-  constexpr double nearly_all = 0.98;
-  const PixelRegion rows = telling_rows(reference);
-  double most = share_of_equal_values(reference, rows, scene, way.options);
-  if (way.options.profile == Profile::course && way.options.mode == Mode::ray) {
-    RenderOptions other = way.options;
-    other.features.super_sample = !other.features.super_sample;
-    if (const double share = share_of_equal_values(reference, rows, scene, other); share > most) {
-      most = share;
-      found.drawn_with = options_text(other);
-      found.drawn_options = other;
-    }
-  }
-  found.drawn_exactly = most >= nearly_all;
-}
-
 }  // namespace
 
 void look_for_causes(const Texture& reference, const Texture& test, const LoadedScene* scene,
@@ -278,9 +216,6 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
   }
   found.drawn_with = way->words;
   found.drawn_options = way->options;
-  if (!settings.ways_fit && !found.other_size() && found.scene_fits()) {
-    find_drawn_with(reference, *scene, *way, found);
-  }
   found.where = place_to_look(reference, test, scene, way, part);
   const double unlike = found.causes.share_scene_unlike;
   found.exchanged = !found.other_size() &&

@@ -48,7 +48,8 @@ viewer::OpenedScene open_for_view(const viewer::SceneRequest& request, Options o
   return opened;
 }
 
-// Why the window cannot open; empty if it can. A scene that does not exist is a new one.
+// Why the window cannot open; empty if it can. A scene that does not exist is a new one, but a
+// picture of it would show nothing.
 std::string missing(const Options& options) {
   if (options.arguments.empty()) {
     return {};
@@ -57,7 +58,8 @@ std::string missing(const Options& options) {
   if (scene != "-" && viewer::scene_at(scene).empty()) {
     return scene + ": there is no scene in this folder";
   }
-  const bool can_be_new = is_scene_name(scene) && is_folder(folder_of(scene));
+  const bool edited = options.screenshot.empty() || !options.script.empty();
+  const bool can_be_new = edited && is_scene_name(scene) && is_folder(folder_of(scene));
   if (scene != "-" && !stamp_of(scene).exists && !can_be_new) {
     return scene + ": there is no such file";
   }

@@ -323,6 +323,7 @@ void bind_comparisons(py::module_& m) {
                              [](const Differences& d) { return d.diff.same_meaning; })
       .def_property_readonly("differences",
                              [](const Differences& d) { return tuple_of(d.diff.differences); })
+      .def_property_readonly("left_out", [](const Differences& d) { return d.diff.left_out; })
       .def("__len__", [](const Differences& d) { return d.diff.differences.size(); })
       .def("__iter__", [](const Differences& d) { return py::iter(tuple_of(d.diff.differences)); })
       .def("__str__", [](const Differences& d) { return d.text; });

@@ -917,9 +917,11 @@ TEST_F(Grade, PicturesThatMatchNothingAreListed) {
   folder.write("mine/ball (1).png", folder.read("right.png"));
   folder.write("mine/results/the box.png", folder.read("wrong.png"));
   const std::vector<std::string> words{"grade", "mine", "--references", "right"};
-  EXPECT_THAT(program(words).out,
-              AllOf(HasSubstr("mine  1 of 2 passed\n    missing: cube\n"),
-                    HasSubstr("    1 picture matches no reference: results/the box.png; --map")));
+  EXPECT_THAT(
+      program(words).out,
+      AllOf(HasSubstr("mine  1 of 2 passed\n    ball: note: this file is the reference, byte for "
+                      "byte\n    missing: cube\n"),
+            HasSubstr("    1 picture matches no reference: results/the box.png; --map")));
   std::vector<std::string> more = words;
   more.insert(more.end(), {"--json", "--report", "report.html"});
   const rapidjson::Document document = parse_json(program(more).out);

@@ -308,6 +308,7 @@ TEST(Gradebook, NotesStandBesideResults) {
   }
   EXPECT_THAT(gradebook_html(book, "t"), HasSubstr("Note: four samples &lt;each&gt;"));
   EXPECT_THAT(gradebook_junit(book), HasSubstr("note: four samples &lt;each&gt;"));
+  EXPECT_THAT(gradebook_text(book), HasSubstr(": note: four samples <each>\n"));
   EXPECT_THAT(gradescope_json(book.students[1]), HasSubstr("Note: four samples <each>\\n"));
   book.students[0].pictures[0].notes = {"fine"};
   EXPECT_THAT(student_html(book.students[0], "t"),

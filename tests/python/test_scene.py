@@ -219,6 +219,7 @@ def test_diff(ball, tmp_path):
     differences = scenefile.diff(ball, scene)
     assert not differences.same_meaning
     assert len(differences) == 1
+    assert differences.left_out == 0
     assert differences.differences[0].where == "point light"
     assert differences.differences[0].b == '<position x="0" y="9" z="0"/>'
     assert '\n+    <position x="0" y="9" z="0"/>\n' in str(differences)

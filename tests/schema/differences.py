@@ -42,6 +42,17 @@ class Asked:
     def diff(self, *words):
         return answer(self.program, "diff", *words)
 
+    def balls(self, name, color):
+        """A scene with more balls than differences are listed."""
+        r, g, b = color.split()
+        ball = ('<transblock><object type="primitive" name="sphere">'
+                f'<diffuse r="{r}" g="{g}" b="{b}"/></object></transblock>')
+        path = self.folder / name
+        path.write_text(f"""<scenefile><cameradata><pos x="0" y="0" z="5"/><look x="0" y="0" z="-1"/>
+          <up x="0" y="1" z="0"/><heightangle v="45"/></cameradata>
+          <object type="tree" name="root">{ball * 10_001}</object></scenefile>""", encoding="utf-8")
+        return path
+
     def of_pictures(self):
         right, dark = self.course("right.png", "all"), self.course("dark.png", "none")
         scene = ("--scene", self.scene)
@@ -67,6 +78,9 @@ class Asked:
         for what, old, new in (("changed", 'v="35"', 'v="30"'), ("added", "<up ", '<aperture v="0.1"/><up '),
                                ("assumed", '<heightangle v="35"/>', ""), ("with errors", "<diffuse ", "<difuse ")):
             yield what, self.diff(self.scene, self.other(old, new))
+        many = self.diff(self.balls("red.xml", "1 0 0"), self.balls("blue.xml", "0 0 1"))
+        del many["differences"][1:10_000]  # all would take long to validate
+        yield "very many", many
 
     def of_paths(self):
         path = ("--mode", "path", "--samples", "4")
@@ -114,6 +128,7 @@ EXPECTED = {
     "added": lambda d: "a" not in d["differences"][0],
     "assumed": lambda d: d["differences"],
     "with errors": lambda d: d["b"]["verdict"] == "errors" and "equal" not in d,
+    "very many": lambda d: len(d["differences"]) == 1 and d["differences_left_out"] == 1,
     "path": lambda d: "a" not in d and "reference_path" not in d,
     "path with a reference": lambda d: d["broken"] and d["reference_path"],
     "path, too small": lambda d: d["path"]["blocks"] == 0 and d["path"]["notes"],
@@ -129,8 +144,9 @@ EXPECTED = {
 }
 
 
-OPTIONAL = {"scene", "worst", "worst/line", "place", "differences/[]/a", "differences/[]/b", "scene/findings/[]/file",
-            "scene/findings/[]/path", "b/findings/[]/correction", "b/findings/[]/correction/changes"}
+OPTIONAL = {"scene", "worst", "worst/line", "place", "differences/[]/a", "differences/[]/b", "differences_left_out",
+            "scene/findings/[]/file", "scene/findings/[]/path", "b/findings/[]/correction",
+            "b/findings/[]/correction/changes"}
 
 
 def broken(answers):

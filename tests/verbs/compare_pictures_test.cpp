@@ -71,6 +71,7 @@ TEST(ComparePictures, RivalsThatTheCauseNamesAreNotSaidTwice) {
   const std::size_t said = rivals.find("\"said\": true");
   EXPECT_LT(said, rivals.find("\"ambient\"")) << rivals;
   EXPECT_EQ(rivals.find("\"said\"", said + 1), std::string::npos) << rivals;
+}
 
 Texture drawn_with(const LoadedScene& scene, RenderOptions options) {
   options.width = 160;

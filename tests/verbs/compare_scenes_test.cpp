@@ -236,6 +236,7 @@ TEST(CompareScenes, NotesNoMoreThanAskedFor) {
   const SceneDiff diff =
       compare_scenes(as(SceneFormat::xml, many, "a"), as(SceneFormat::xml, others, "b"), 7);
   EXPECT_EQ(diff.differences.size(), 7u);
+  EXPECT_EQ(diff.left_out, 48u);
 }
 
 TEST(CompareScenes, ColorsTheLinesThatDiffer) {

@@ -116,7 +116,7 @@ export interface Picture {
 /** Draws the scene by ray tracing: the pixels of `scenefile render`. Throws a SceneError if it has errors. */
 export function render(scene: SceneSource, options?: RenderOptions): Promise<Picture>;
 
-/** Why a pixel of render() has its color (docs/explain.md describes the answer). */
+/** Why a pixel of render() has its color (docs/explain.md describes the answer). Throws a SceneError if it has errors. */
 export function explain(
   scene: SceneSource,
   x: number,
@@ -128,9 +128,11 @@ export interface SceneDiff {
   equal: boolean;
   same_meaning: boolean;
   differences: Record<string, unknown>[];
+  /** How many there are besides, if more than 10,000. */
+  differences_left_out?: number;
 }
 
-/** The differences in meaning between two scenes, in any format. */
+/** The differences in meaning between two scenes, in any format. Throws a SceneError if one of them has errors. */
 export function diff(a: SceneSource, b: SceneSource, options?: SceneOptions): Promise<SceneDiff>;
 
 export interface RunResult {

@@ -7,7 +7,7 @@ export { run };
 
 const text = new TextDecoder();
 
-/** Thrown if a scene cannot be drawn or converted. */
+/** Thrown if a scene cannot be drawn, explained, compared, formatted or converted. */
 export class SceneError extends Error {
   constructor(message, status, findings) {
     super(message);
@@ -50,6 +50,15 @@ async function answerOf(words, files, roots) {
     throw new SceneError(answer.error, done.status, []);
   }
   return { ...done, answer };
+}
+
+// The answer, unless it only says why there is none.
+function usable({ answer, status }) {
+  if (answer.error !== undefined) {
+    const scenes = [answer.scene, answer.a, answer.b];
+    throw new SceneError(answer.error, status, scenes.flatMap((scene) => scene?.findings ?? []));
+  }
+  return answer;
 }
 
 export async function check(scene, options = {}) {
@@ -125,8 +134,7 @@ export async function render(scene, options = {}) {
 export async function explain(scene, x, y, options = {}) {
   const name = nameOf(scene, options);
   const words = ['explain', name, '--pixel', `${x},${y}`, '--json', ...renderWords(options)];
-  const { answer } = await answerOf(words, filesOf(name, scene, options));
-  return answer;
+  return usable(await answerOf(words, filesOf(name, scene, options)));
 }
 
 export async function diff(a, b, options = {}) {
@@ -135,6 +143,5 @@ export async function diff(a, b, options = {}) {
     [nameA, a],
     [nameB, b],
   ]);
-  const { answer } = await answerOf(['diff', nameA, nameB, '--json', ...commonWords(options)], files);
-  return answer;
+  return usable(await answerOf(['diff', nameA, nameB, '--json', ...commonWords(options)], files));
 }

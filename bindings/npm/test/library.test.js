@@ -68,6 +68,13 @@ test('explain refuses a pixel outside of the picture', async () => {
   });
 });
 
+test('explain and diff throw what is wrong with a scene', async () => {
+  const broken = scene.replace('name="sphere"', 'name="spher"');
+  const findings = (error) => error instanceof SceneError && error.findings.length > 0;
+  await assert.rejects(explain(broken, 0, 0), findings);
+  await assert.rejects(diff(scene, broken), findings);
+});
+
 test('convert and diff agree', async () => {
   const { bytes } = await convert(scene, 'json');
   const json = new TextDecoder().decode(bytes);

@@ -212,6 +212,9 @@ std::string gradebook_text(const Gradebook& book) {
         text += fmt::format("    {}: {}: {}\n", escaped(picture.name), name_of(picture.verdict),
                             escaped(reasons_text(picture), max_line));
       }
+      for (const std::string& note : picture.notes) {
+        text += fmt::format("    {}: note: {}\n", escaped(picture.name), escaped(note, max_line));
+      }
     }
     if (!missing.empty()) {
       text += fmt::format("    missing: {}\n", fmt::join(missing, ", "));

@@ -199,7 +199,8 @@ std::string verdict_text(const std::string& a, const std::string& b, const Scene
   if (diff.same_meaning) {
     return both + (diff.equal ? ": no difference\n" : ": same meaning, written differently\n");
   }
-  return fmt::format("{}: {}\n", both, counted(count, "difference"));
+  return fmt::format("{}: {}{}\n", both, counted(count + diff.left_out, "difference"),
+                     diff.left_out == 0 ? "" : fmt::format(", the first {} above", count));
 }
 
 // With colors as by git.
@@ -238,7 +239,10 @@ SceneDiff compare_scenes(const LoadedScene& a, const LoadedScene& b, std::size_t
   diff.same_meaning = diff.equal || same_meaning(a.written, b.written);
   if (!diff.same_meaning) {
     Listings found = shortest_listings(a, b);
-    found.changes.resize(std::min(found.changes.size(), most));
+    if (found.changes.size() > most) {
+      diff.left_out = found.changes.size() - most;
+      found.changes.resize(most);
+    }
     diff.text = fmt::format("--- {}\n+++ {}\n", escaped(shown_name(a.path), 4096),
                             escaped(shown_name(b.path), 4096));
     describe(a, b, found, diff);
@@ -282,6 +286,9 @@ std::string compare_scenes_json(const LoadedScene& a, const LoadedScene& b, cons
       add_side(json, "a", difference.a, difference.in_a);
       add_side(json, "b", difference.b, difference.in_b);
     });
+    if (diff->left_out != 0) {
+      json.add("differences_left_out", diff->left_out);
+    }
   }
   json.end_object();
   return json.text();

@@ -25,6 +25,7 @@ struct SceneDiff {
   bool equal = false;                        ///< equal structure and values
   bool same_meaning = false;                 ///< drawn alike, however they are written
   std::vector<SceneDifference> differences;  ///< empty if the scenes have the same meaning
+  std::size_t left_out = 0;                  ///< how many more there are
   std::string text;                          ///< the differences with lines around them
 };
 

@@ -165,6 +165,24 @@ TEST(PathDenoise, IsNearerToTheTruthThanTheNoisyPicture) {
   }
 }
 
+// Beside it nothing is seen, which says nothing about its light.
+TEST(PathDenoise, ALampAsSmallAsAPixelIsKept) {
+  Room room;
+  Model model;
+  model.quad({0, 0, 0}, {0.05f, 0, 0}, {0, 0.05f, 0},
+             model.material(diffuse(glm::vec3(0), glm::vec3(4))));
+  room.add(model);
+  room.look({0, 0, 1}, {0, 0, 0}, 60);
+  RenderOptions options = path_options(17, 13, 64);
+  const Image noisy = draw(room, options).image;
+  options.denoise = true;
+  const Image denoised = draw(room, options).image;
+  const float brightest = *std::max_element(noisy.rgb.begin(), noisy.rgb.end());
+  ASSERT_GT(brightest, 0.5f);
+  ASSERT_LT(brightest, 3.5f) << "fills a pixel";
+  EXPECT_EQ(*std::max_element(denoised.rgb.begin(), denoised.rgb.end()), brightest);
+}
+
 TEST(PathDenoise, ExactPicturesAndBrightnessAreKept) {
   Room room;
   Model model;

@@ -115,7 +115,8 @@ PixelStatistics statistics_of(const PathState& state, std::size_t at) {
 }
 
 // Rare bright samples would outweigh all others around them. Limits uncertain values to the third
-// largest of the pixels around them, and their variances in proportion.
+// largest of the pixels around them, and their variances in proportion. Pixels that show nothing,
+// or only black surfaces, do not count: what is beside a lamp does not make it improbable.
 void limit_outliers(int width, int height, std::vector<PixelStatistics>& pixels) {
   constexpr int reach = outlier_reach;
   constexpr float errors = 3;
@@ -128,8 +129,9 @@ void limit_outliers(int width, int height, std::vector<PixelStatistics>& pixels)
         around.clear();
         for (int j = std::max(0, y - reach); j <= std::min(height - 1, y + reach); ++j) {
           for (int i = std::max(0, x - reach); i <= std::min(width - 1, x + reach); ++i) {
-            if (i != x || j != y) {
-              around.push_back(before[std::size_t(j) * width + i].signal[c]);
+            const PixelStatistics& other = before[std::size_t(j) * width + i];
+            if ((i != x || j != y) && other.albedo != glm::vec3(0)) {
+              around.push_back(other.signal[c]);
             }
           }
         }

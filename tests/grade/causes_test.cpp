@@ -183,6 +183,25 @@ TEST(Causes, Rounding) {
   expect_named(Cause::rounding, {"habit-rounds"});
 }
 
+// Where many values differ by more, it is true, but not why.
+TEST(Causes, RoundingIsNoCauseWhereMoreIsWrong) {
+  std::mt19937 random(3);
+  Texture reference;
+  reference.width = reference.height = 128;
+  for (int i = 0; i < 3 * 128 * 128; ++i) {
+    reference.rgb.push_back(static_cast<std::uint8_t>(20 + i / 3 / 80));
+  }
+  Texture test = reference;
+  for (std::uint8_t& value : test.rgb) {
+    value = static_cast<std::uint8_t>(value + (random() % 3 == 0 ? 1 : 0) +
+                                      (random() % 5 == 0 ? 3 : 0));
+  }
+  const CauseReport report = find_causes(reference, test);
+  EXPECT_TRUE(report.claims.empty()) << said(report);
+  ASSERT_EQ(report.notes.size(), 1u);
+  EXPECT_EQ(report.notes.front().cause, Cause::rounding);
+}
+
 // Values that differ by one at some levels of brightness only are not rounded.
 TEST(Causes, StepsAtSomeLevelsAreNotRounding) {
   for (const int highest : {60, 254}) {

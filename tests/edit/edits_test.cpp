@@ -138,6 +138,35 @@ TEST(Edits, ARenamedTemplateKeepsItsInstances) {
                          "name=\"leg\"", "name=\"a &quot;leg&quot;\""));
 }
 
+TEST(Edits, NamesThatWouldChangeTheSceneAreRefused) {
+  const std::string xml =
+      "<scenefile><object type='tree' name='leg'><transblock/></object>"
+      "<object type='tree' name='arm'><transblock/></object><object type='tree' name='root'>"
+      "<transblock><object type='master' name='leg'/></transblock>"
+      "<transblock><object type='tree' name='none'/></transblock></object></scenefile>";
+  const std::string json =
+      R"({"templateGroups": [{"name": "leg", "primitives": []}, {"name": "arm"}],
+          "groups": [{"name": "none", "primitives": []}, {"name": "leg"}]})";
+  const auto named = [](const std::string& text, ItemKind kind, const std::string& name) {
+    return after_edit(text, setting(kind, "name", 0, name));
+  };
+  for (const std::string& text : {xml, json}) {
+    EXPECT_EQ(named(text, ItemKind::master, ""), "error: a template needs a name");
+    EXPECT_EQ(named(text, ItemKind::master, "arm"), "error: the name \"arm\" is taken");
+    EXPECT_EQ(named(text, ItemKind::master, "none"), "error: the name \"none\" is taken");
+    EXPECT_EQ(named(text, ItemKind::master, "leg"), text);
+    EXPECT_EQ(named(text, ItemKind::group, "arm"), "error: the name \"arm\" is taken");
+    EXPECT_EQ(named(text, ItemKind::group, "other"), with(text, "none", "other"));
+  }
+  EXPECT_EQ(named(xml, ItemKind::master, "root"),
+            "error: the name \"root\" is reserved for the scene itself");
+  EXPECT_EQ(named(json, ItemKind::master, "root"),
+            with(with(json, "\"leg\"", "\"root\""), "\"leg\"", "\"root\""));
+  // In XML, the names of groups with contents mean nothing.
+  const std::string full = with(xml, " name='none'/>", " name='none'><transblock/></object>");
+  EXPECT_EQ(named(full, ItemKind::group, "arm"), with(full, "none", "arm"));
+}
+
 TEST(Edits, InJsonAnObjectsOwnGroupIsRemovedWithIt) {
   const auto remove = [](const Document& document) {
     return remove_item(document, nth(document, ItemKind::primitive));

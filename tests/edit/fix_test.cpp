@@ -106,6 +106,12 @@ const std::vector<FixCase> xml_cases{
     {"Several",
      R"(<trnslate x="1" y="0" z="0"/><object tpye="primitve" name="cilinder"><difuse r="1" g="0,5" b="0"/></object>)",
      R"(<translate x="1" y="0" z="0"/><object type="primitive" name="cylinder"><diffuse r="1" g="0.5" b="0"/></object>)"},
+    {"Ampersands",
+     R"(<object type="primitive" name="cube"><texture file="a&b&&c.png" u="1" v="1"/><!-- & --></object><object type="primitive" name="cone"><bumpmap file="a & b" u="1" v="1"/></object>)",
+     R"(<object type="primitive" name="cube"><texture file="a&amp;b&amp;&amp;c.png" u="1" v="1"/><!-- & --></object><object type="primitive" name="cone"><bumpmap file="a &amp; b" u="1" v="1"/></object>)"},
+    // What would join lines.
+    {"Lines", "<scale v=\"1\n2\n3\"/><object type=\"master\" name=\"chair\"/>",
+     "<scale v=\"1\n2\n3\"/><object type=\"master\" name=\"chair\"/>"},
     // What could mean something else.
     {"Thousand", R"(<scale x="1,000" y="1" z="1"/><object type="master" name="chair"/>)",
      R"(<scale x="1,000" y="1" z="1"/><object type="master" name="chair"/>)"},
@@ -139,6 +145,13 @@ const std::vector<FixCase> json_cases{
     {"Commas",
      "{\"translate\": [1, 2, 3]\n \"primitives\": [{\"type\": \"cube\"; \"shininess\": 5,},]}",
      "{\"translate\": [1, 2, 3],\n \"primitives\": [{\"type\": \"cube\", \"shininess\": 5}]}"},
+    {"RepeatedNumbers",
+     R"({"primitives": [{"type": "cube", "diffuse": [.5, .5,.5], "ambient": [1.,1.,1.]}]})",
+     R"({"primitives": [{"type": "cube", "diffuse": [0.5, 0.5,0.5], "ambient": [1.0,1.0,1.0]}]})"},
+    {"RepeatedCommas", R"({"primitives": [, ,{"type": "cube",},{"type":"cube",}]})",
+     R"({"primitives": [ {"type": "cube"},{"type":"cube"}]})"},
+    {"RepeatedQuotes", R"({'primitives':[{'type':'cube'}, {type: 'cone'}]})",
+     R"({"primitives":[{"type":"cube"}, {"type": "cone"}]})"},
     // In quotes it would be no number.
     {"WordForNumber", R"({"primitives": [{"type": "cube", "shininess": Math.PI}]})",
      R"({"primitives": [{"type": "cube", "shininess": Math.PI}]})"},

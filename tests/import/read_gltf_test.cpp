@@ -14,6 +14,8 @@
 namespace scenefile {
 namespace {
 
+using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 const std::string globals =
@@ -215,6 +217,63 @@ TEST(ReadGltf, RejectsRequiredExtensionsThatChangeTheData) {
   EXPECT_EQ(first_error(triangle("3", R"(,"extensionsRequired":["KHR_draco_mesh_compression"])")),
             &"import.unsupported"_code);
   EXPECT_EQ(first_error(triangle("3", R"(,"extensionsRequired":["KHR_materials_ior"])")), nullptr);
+  EXPECT_EQ(first_error(triangle("3", R"(,"extensionsRequired":["KHR_materials_unheard_of"])")),
+            &"import.unsupported"_code);
+}
+
+// The triangle with this material and these attributes more, and what is left out of it.
+std::vector<std::string> left_out(const std::string& material, const std::string& attributes = {},
+                                  Material* read = nullptr, const std::string& more = {}) {
+  std::string model = triangle("3", ",\"materials\":[" + material + "]" + more);
+  const std::string from = "{\"POSITION\":0}}";
+  model.replace(model.find(from), from.size(),
+                "{\"POSITION\":0" + attributes + "},\"material\":0}");
+  Diagnostics diagnostics;
+  const ImportedScene scene = read_gltf(model, {}, diagnostics);
+  EXPECT_FALSE(diagnostics.has_errors());
+  if (read != nullptr) {
+    *read = scene.scene.nodes.at(1).primitives.at(0).material;
+  }
+  std::vector<std::string> messages;
+  for (const Diagnostic& d : diagnostics.list()) {
+    if (d.code == &"import.left-out"_code) {
+      messages.push_back(d.message);
+    }
+  }
+  return messages;
+}
+
+TEST(ReadGltf, EmissionWithAPictureIsLeftOut) {
+  Material read;
+  EXPECT_THAT(left_out(R"({"emissiveFactor":[1,1,1],"emissiveTexture":{"index":0}})", {}, &read),
+              ElementsAre("pictures of roughness, metal, occlusion and emission are left out"));
+  EXPECT_EQ(read.ambient, glm::vec3(0));
+  EXPECT_THAT(left_out(R"({"emissiveFactor":[1,1,1]})", {}, &read),
+              ElementsAre(HasSubstr("becomes their ambient color")));
+  EXPECT_EQ(read.ambient, glm::vec3(1));
+}
+
+TEST(ReadGltf, SaysWhatIsLeftOut) {
+  EXPECT_THAT(left_out("{}"), ElementsAre());
+  EXPECT_THAT(left_out("{}", R"(,"COLOR_0":0)"), ElementsAre("colors of vertices are left out"));
+  EXPECT_THAT(left_out(R"({"alphaMode":"MASK"})"), ElementsAre("masks by alpha are left out"));
+  EXPECT_THAT(left_out(R"({"alphaMode":"BLEND"})"), ElementsAre());
+  const std::string picture = R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0}})";
+  EXPECT_THAT(left_out("{" + picture + R"(,"alphaMode":"BLEND"})"),
+              Contains("alpha values of pictures are left out"));
+  EXPECT_THAT(left_out("{}", {}, nullptr,
+                       R"(,"extensionsUsed":["KHR_materials_sheen","KHR_materials_ior",)"
+                       R"("KHR_materials_sheen","KHR_materials_volume"])"),
+              ElementsAre("what the extension \"KHR_materials_sheen\" adds is left out"));
+}
+
+TEST(ReadGltf, NamesAreCutBetweenCharacters) {
+  const std::string name(199, 'x');
+  std::string model = triangle();
+  model.replace(model.find("\"a\""), 3, "\"" + name + "\u00e9\u00e9\"");
+  Diagnostics diagnostics;
+  const ImportedScene scene = read_gltf(model, {}, diagnostics);
+  EXPECT_EQ(std::string(scene.scene.nodes.at(1).name.str()), name);
 }
 
 TEST(ReadGltf, AChangedMaterialUsesItsNewValues) {

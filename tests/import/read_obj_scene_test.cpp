@@ -72,6 +72,34 @@ TEST(ReadObjScene, EmissionBecomesAmbientColorAndIsReported) {
   EXPECT_THAT(list[0].message, HasSubstr("what materials emit becomes their ambient color"));
 }
 
+// The map says where the material emits.
+TEST(ReadObjScene, EmissionWithAMapIsLeftOut) {
+  Diagnostics diagnostics;
+  const ImportedScene scene = read_obj_scene(
+      two_triangles,
+      with_files(
+          {{"a.mtl",
+            "newmtl red\nKa .1 0 0\nKe 1 1 1\nmap_Ke glow.png\nnewmtl glass\nmap_Ke b.png\n"}}),
+      diagnostics);
+  EXPECT_EQ(scene.scene.nodes.at(1).primitives.at(0).material.ambient, glm::vec3(.1f, 0, 0));
+  std::vector<std::string> left_out;
+  for (const Diagnostic& d : diagnostics.list()) {
+    if (d.code == &"import.left-out"_code) {
+      left_out.push_back(d.message);
+    }
+  }
+  EXPECT_THAT(left_out, testing::ElementsAre("pictures of emission are left out"));
+}
+
+TEST(ReadObjScene, NamesAreCutBetweenCharacters) {
+  std::string material(199, 'x');
+  std::string text = two_triangles;
+  text.replace(text.find("red"), 3, material + "\u00e9\u00e9");
+  Diagnostics diagnostics;
+  const ImportedScene scene = read_obj_scene(text, {}, diagnostics);
+  EXPECT_EQ(std::string(scene.scene.nodes.at(1).name.str()), material);
+}
+
 TEST(ReadObjScene, ReadsWithoutItsFiles) {
   Diagnostics diagnostics;
   const ImportedScene scene = read_obj_scene(two_triangles, {}, diagnostics);

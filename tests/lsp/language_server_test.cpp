@@ -6,6 +6,7 @@
 #include <rapidjson/stringbuffer.h>
 #include <rapidjson/writer.h>
 
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -141,6 +142,66 @@ TEST_F(Client, FindingsComeAfterAPause) {
   EXPECT_NE(compact(closed.at(0)).find(R"("diagnostics":[])"), std::string::npos);
 }
 
+// One change, as JSON; a position is a line and a character.
+std::string change_of(std::pair<int, int> from, std::pair<int, int> to, const std::string& text) {
+  const auto position = [](std::pair<int, int> p) {
+    return R"({"line": )" + std::to_string(p.first) + R"(, "character": )" +
+           std::to_string(p.second) + "}";
+  };
+  return R"({"range": {"start": )" + position(from) + R"(, "end": )" + position(to) +
+         R"(}, "text": )" + quoted_json(text) + "}";
+}
+
+// Changes that come together are made one after the other.
+TEST_F(Client, ChangesTogetherAreLikeChangesOneByOne) {
+  initialize();
+  std::mt19937 random(7);
+  const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  const auto random_text = [&](int most) {
+    const std::vector<std::string> parts{"a", "b", "\u00e9", "\U0001F600", "\n", "\r", "\r\n"};
+    std::string text;
+    for (int n = below(most); n > 0; --n) {
+      text += parts[static_cast<std::size_t>(below(7))];
+    }
+    return text;
+  };
+  const auto send = [&](const std::string& changes) {
+    notify("textDocument/didChange",
+           R"({"textDocument": {"uri": "s", "version": 2}, "contentChanges": [)" + changes + "]}");
+  };
+  const std::string start = "<scenefile><object type=\"tree\" name=\"";
+  const auto column = static_cast<int>(start.size());
+  // The text, seen as a name.
+  const auto text_now = [&] {
+    send(change_of({0, 0}, {0, 0}, start));
+    send(change_of({999, 0}, {999, 0}, "\"/></scenefile>"));
+    return result("textDocument/prepareRename", at(0, column));
+  };
+  for (int round = 0; round < 2000; ++round) {
+    const std::string text = random_text(20);
+    std::vector<std::string> changes;
+    std::pair<int, int> last{6, 6};
+    for (int n = 1 + below(6); n > 0; --n) {
+      std::pair<int, int> from{below(6), below(6)};
+      from = below(4) == 0 ? from : std::min(from, last);  // most from the end to the beginning
+      const std::pair<int, int> to{from.first + below(2), below(6)};
+      changes.push_back(below(20) == 0 ? R"({"text": )" + quoted_json(random_text(20)) + "}"
+                                       : change_of(from, to, random_text(4)));
+      last = from;
+    }
+    open(text);
+    std::string together;
+    for (const std::string& change : changes) {
+      together += (together.empty() ? "" : ", ") + change;
+      send(change);
+    }
+    const std::string one_by_one = text_now();
+    open(text);
+    send(together);
+    ASSERT_EQ(text_now(), one_by_one) << quoted_json(text) << " " << together;
+  }
+}
+
 TEST_F(Client, OtherFilesHaveNoFindings) {
   initialize();
   open("<html><body>");
@@ -162,6 +223,32 @@ TEST_F(Client, CorrectionsAreActions) {
   const std::string all =
       result("textDocument/codeAction", ask + R"(, "only": ["source.fixAll"]}})");
   EXPECT_NE(all.find(quoted_json(scene)), std::string::npos) << all;
+}
+
+// The text of an editor is decoded already.
+TEST_F(Client, DeclaredEncodingsMeanNothing) {
+  initialize();
+  for (const std::string encoding : {"ISO-8859-1", "UTF-16", "klingon"}) {
+    SCOPED_TRACE(encoding);
+    const std::string right = "<?xml version=\"1.0\" encoding=\"" + encoding + "\"?>\n" + scene;
+    std::string wrong = right;
+    wrong.replace(wrong.find("<object type=\"master\""), 0,
+                  "<!-- \u00e9\u20ac --><scale x=\"1,5\" y=\"1\" z=\"1\"/>");
+    std::string fixed = wrong;
+    fixed.replace(fixed.find("1,5"), 3, "1.5");
+    open(wrong);
+    const std::string found = findings();
+    EXPECT_NE(found.find(R"("start":{"line":6,"character":62})"), std::string::npos) << found;
+    const std::string ask = R"({"textDocument": {"uri": "s"}, "range": {"start": {"line": 6,
+        "character": 0}, "end": {"line": 6, "character": 0}}, "context": {"diagnostics": [])";
+    const std::string one = result("textDocument/codeAction", ask + "}}");
+    EXPECT_NE(one.find(R"("start":{"line":6,"character":65})"), std::string::npos) << one;
+    const std::string all =
+        result("textDocument/codeAction", ask + R"(, "only": ["source.fixAll"]}})");
+    EXPECT_NE(all.find(quoted_json(fixed)), std::string::npos) << all;
+    const std::string formatted = result("textDocument/formatting", at(0, 0));
+    EXPECT_NE(formatted.find("<!-- \u00e9\u20ac -->"), std::string::npos) << formatted;
+  }
 }
 
 TEST_F(Client, WordsAreCompletedAndExplained) {

@@ -74,6 +74,12 @@ TEST(LspOutline, TreesInsideTreesMayBeInstancesOrTemplates) {
             std::vector<std::string>{"b"});
 }
 
+TEST(LspOutline, ReadsOtherLetterCaseLikeTheReader) {
+  EXPECT_EQ(names_of("<Scenefile><Object NAME='x' Type='Tree' name='a'><transblock/></Object>"
+                     "<object type='tree' name='root'><object TYPE='Master' Name='a'/></object>"),
+            ">a@46 a@131 ");
+}
+
 TEST(LspOutline, NamesAreWithoutEscapes) {
   const std::string text =
       "<scenefile><object type='tree' name='a&amp;&#98;&#x;'/><object type='master' "

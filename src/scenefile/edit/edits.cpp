@@ -6,6 +6,7 @@
 #include "scenefile/edit/document_state.h"
 #include "scenefile/edit/layout.h"
 #include "scenefile/edit/placing.h"
+#include "scenefile/edit/template_name.h"
 #include "scenefile/format/xml_scanner.h"
 #include "scenefile/scene/vocabulary.h"
 
@@ -133,6 +134,11 @@ class Editor {
   Result<Edit> set(ItemId id, const FieldView& field, const Values& values,
                    std::string_view file) const {
     const SceneItem& item = document_[id];
+    if (field.title == name_field.title && *values[0] != item.name) {
+      if (std::string why = name_refusal(item, *values[0]); !why.empty()) {
+        return input_error(std::move(why));
+      }
+    }
     if (item.kind == ItemKind::master && field.name == "name") {
       return edit_of(renamed(item, *values[0]));
     }
@@ -635,6 +641,24 @@ class Editor {
     const Piece piece{literal(json_quoted(file)), {}};
     return {
         layout_.insert_entry(item.element, syntax_.index(shape.element) + 1, piece, key).change};
+  }
+
+  // Whether a group becomes an instance of a template that has its name.
+  bool may_be_instance(const SceneItem& item) const {
+    return item.kind == ItemKind::group && (!syntax_.xml || item.children.empty());
+  }
+
+  // Why a template or group cannot get this name; empty if it can.
+  std::string name_refusal(const SceneItem& item, const std::string& name) const {
+    const bool master = item.kind == ItemKind::master;
+    const auto items = document_.items();
+    const bool taken = std::any_of(items.begin(), items.end(), [&](const SceneItem& other) {
+      return other.name == name &&
+             (other.kind == ItemKind::master
+                  ? master || may_be_instance(item)
+                  : master && (other.kind == ItemKind::instance || may_be_instance(other)));
+    });
+    return master || taken ? why_no_template_name(name, syntax_.xml, taken) : std::string();
   }
 
   std::vector<TextChange> renamed(const SceneItem& master, const std::string& name) const {

@@ -25,7 +25,8 @@ namespace scenefile {
 /// does not have is added, with its other parts as FieldView::parts says, and with the fields
 /// that it needs; `focus` replaces `look` and `look` `focus`. A light that changes its type gets
 /// the fields that the type needs and loses those without effect; a primitive that becomes a mesh
-/// gets a file; a template that is renamed keeps its instances.
+/// gets a file; a template that is renamed keeps its instances. Refuses names that would make
+/// templates or groups something else.
 Result<Edit> set_value(const Document& document, ItemId item, const FieldView& field,
                        std::size_t part, std::string_view typed);
 /// The same for several parts at once; nullopt leaves a part as it is. At least one is given. One

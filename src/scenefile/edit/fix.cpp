@@ -256,13 +256,20 @@ struct Candidate {
   Edit edit;
 };
 
+// A mistake that is found only because an earlier one, at `stop`, was fixed.
+bool is_later_mistake(const Diagnostic& finding, Place stop) {
+  return stop != Place() && is_syntax(finding) && place_of(finding) > stop;
+}
+
 // Counts findings by what stays when other words of their line change.
 class Tally {
  public:
-  explicit Tally(const Reading& reading) {
+  explicit Tally(const Reading& reading, Place stop = {}) {
     for (const Diagnostic& d : reading.findings.list()) {
-      ++lines_[{d.code, d.location.line}];
-      ++messages_[{d.code, d.location.line, d.message}];
+      if (!is_later_mistake(d, stop)) {
+        ++lines_[{d.code, d.location.line}];
+        ++messages_[{d.code, d.location.line, d.message}];
+      }
     }
   }
   std::size_t on_line(const Diagnostic& d) const {
@@ -296,6 +303,13 @@ class WrittenPlaces {
     return wrote(*at) || (!key.empty() && wrote(value_of_key(file_.text(), *at, key)));
   }
 
+  // The place of a byte that was at `offset` before the edit; what the edit wrote there follows it.
+  Place place(std::uint32_t offset, Edit edit) const {
+    std::erase_if(edit.changes, [&](const TextChange& change) { return change.at >= offset; });
+    const Location location = file_.location(moved(offset, edit));
+    return {location.line, location.column};
+  }
+
  private:
   bool wrote(std::size_t offset) const {
     return offset < file_.text().size() &&
@@ -327,7 +341,7 @@ std::size_t count_changed_parts(const Scene& before, const Scene& after, SceneFo
 class Round {
  public:
   Round(std::string_view text, const Reading& reading, const ReadOptions& options)
-      : text_(text), reading_(reading), options_(options), before_(reading) {}
+      : text_(text), file_(text), reading_(reading), options_(options), before_(reading) {}
 
   // Adds all of the candidates that are right.
   void take(std::span<const Candidate> candidates) {
@@ -351,13 +365,11 @@ class Round {
   static Edit together(std::span<const Candidate> candidates) {
     Edit edit;
     for (const Candidate& candidate : candidates) {
-      for (const TextChange& change : candidate.edit.changes) {
-        if (std::find(edit.changes.begin(), edit.changes.end(), change) == edit.changes.end()) {
-          edit.changes.push_back(change);
-        }
-      }
+      edit.changes.insert(edit.changes.end(), candidate.edit.changes.begin(),
+                          candidate.edit.changes.end());
     }
     sort_changes(edit.changes);
+    edit.changes.erase(std::unique(edit.changes.begin(), edit.changes.end()), edit.changes.end());
     return edit;
   }
 
@@ -370,18 +382,29 @@ class Round {
     const std::string text = applied(text_, edit);
     const Reading after = read_and_check(text, options_);
     const WrittenPlaces written(text, inverse(text_, edit));
-    return findings_are_right(candidates, after, written) && scene_is_right(candidates, after);
+    return findings_are_right(candidates, after, written, last_stop(candidates, edit, written)) &&
+           scene_is_right(candidates, after);
+  }
+
+  // Where reading last stopped, if it did, in the text after the edit.
+  Place last_stop(std::span<const Candidate> candidates, const Edit& edit,
+                  const WrittenPlaces& written) const {
+    Location stop;
+    for (const Candidate& candidate : candidates) {
+      const Diagnostic& d = *candidate.finding;
+      stop = is_syntax(d) && place_of(d) > Place(stop.line, stop.column) ? d.location : stop;
+    }
+    const std::optional<std::size_t> offset = file_.offset(stop);
+    return offset ? written.place(file_.in_bytes(*offset), edit) : Place();
   }
 
   bool findings_are_right(std::span<const Candidate> candidates, const Reading& after,
-                          const WrittenPlaces& written) const {
-    const Tally now(after);
+                          const WrittenPlaces& written, Place stop) const {
+    const Tally now(after, stop);
     std::map<std::tuple<const Code*, std::uint32_t, std::string_view>, std::size_t> fixed;
-    Place stop;  // the last place where reading stopped, if it did
     for (const Candidate& candidate : candidates) {
       const Diagnostic& d = *candidate.finding;
       ++fixed[{d.code, d.location.line, d.message}];
-      stop = is_syntax(d) ? std::max(stop, place_of(d)) : stop;
     }
     const bool all_gone =
         std::all_of(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
@@ -395,7 +418,7 @@ class Round {
                return now.of_message(d) <= before_.of_message(d);
              }
              const bool revealed = d.code->kind == CodeKind::absence ||
-                                   (stop != Place() && (!is_syntax(d) || place_of(d) > stop));
+                                   (stop != Place() && !is_syntax(d)) || is_later_mistake(d, stop);
              return revealed || now.on_line(d) <= before_.on_line(d);
            });
   }
@@ -411,17 +434,25 @@ class Round {
     if (errors == 0) {
       return reading_.scene == after.scene;
     }
-    const SceneFormat format = FileText(text_).is_xml() ? SceneFormat::xml : SceneFormat::json;
+    const SceneFormat format = file_.is_xml() ? SceneFormat::xml : SceneFormat::json;
     return count_changed_parts(reading_.scene, after.scene, format) <= errors;
   }
 
   std::string_view text_;
+  FileText file_;
   const Reading& reading_;
   const ReadOptions& options_;
   Tally before_;
   std::vector<Candidate> taken_;
   std::size_t reads_left_ = 200;
 };
+
+// Whether the edit changes the number of lines.
+bool joins_lines(std::string_view text, const Edit& edit) {
+  return std::any_of(edit.changes.begin(), edit.changes.end(), [&](const TextChange& change) {
+    return text.substr(change.at, change.size).find_first_of("\r\n") != text.npos;
+  });
+}
 
 // The certain corrections of a text.
 std::vector<Candidate> candidates_of(std::string_view text, const Reading& reading,
@@ -433,7 +464,7 @@ std::vector<Candidate> candidates_of(std::string_view text, const Reading& readi
         std::find(ignored.begin(), ignored.end(), d.code->name) != ignored.end()) {
       continue;
     }
-    if (std::optional<Edit> edit = edit_of(file, d)) {
+    if (std::optional<Edit> edit = edit_of(file, d); edit && !joins_lines(text, *edit)) {
       candidates.push_back({&d, *std::move(edit)});
     }
   }
@@ -441,9 +472,8 @@ std::vector<Candidate> candidates_of(std::string_view text, const Reading& readi
 }
 
 // The place in the original text; `backs`: the inverses of the edits since then.
-Location original_place(std::string_view original, std::string_view text, Location location,
+Location original_place(const FileText& original, const FileText& file, Location location,
                         const std::vector<Edit>& backs) {
-  const FileText file(text);
   const std::optional<std::size_t> offset = file.offset(location);
   if (!offset) {
     return location;
@@ -452,7 +482,7 @@ Location original_place(std::string_view original, std::string_view text, Locati
   for (auto back = backs.rbegin(); back != backs.rend(); ++back) {
     at = moved(at, *back);
   }
-  return FileText(original).location(at);
+  return original.location(at);
 }
 
 }  // namespace
@@ -485,7 +515,8 @@ std::vector<std::vector<Replacement>> replacements(std::string_view bytes,
 FixedText fix_text(std::string text, const ReadOptions& options,
                    const std::vector<std::string>& ignored) {
   constexpr int most_rounds = 100;
-  const std::string original = text;
+  const std::string before = text;
+  const FileText original(before);
   FixedText fixed{std::move(text), {}};
   std::vector<Edit> backs;
   for (int i = 0; i < most_rounds; ++i) {
@@ -506,10 +537,11 @@ FixedText fix_text(std::string text, const ReadOptions& options,
     if (round.taken().empty()) {
       break;
     }
+    const FileText file(fixed.text);
     for (const Candidate& candidate : round.taken()) {
       fixed.made.push_back(*candidate.finding);
       fixed.made.back().location =
-          original_place(original, fixed.text, candidate.finding->location, backs);
+          original_place(original, file, candidate.finding->location, backs);
     }
     const Edit edit = Round::together(round.taken());
     backs.push_back(inverse(fixed.text, edit));

@@ -575,7 +575,7 @@ bool recover_json(JsonError error, std::string_view text, const Limits& limits,
     Explainer explainer(error, repaired, text, limits);
     Finding finding = explainer.explain();
     const Location place = explainer.place(finding.offset);
-    if (place.line != last.line || finding.message != last.message) {
+    if (place.line != last.line || finding.message != last.message || finding.correction) {
       diagnostics.report(*finding.code, place, finding.message, std::move(finding.correction));
     }
     last = {place.line, std::move(finding.message)};

@@ -35,9 +35,9 @@ void report_json_error(const JsonError& error, std::string_view text, const Limi
                        Diagnostics& diagnostics);
 
 /// Reports each fault and overwrites it, as long as that is possible, to find further faults and to
-/// read what comes after. Reports only the first of several similar faults in a row. `repaired` is
-/// the parsed text, `text` the author's. Returns true if the tape is complete; it then keeps a view
-/// of `repaired`.
+/// read what comes after. Of several similar faults in a row it reports the first, and those with a
+/// correction. `repaired` is the parsed text, `text` the author's. Returns true if the tape is
+/// complete; it then keeps a view of `repaired`.
 bool recover_json(JsonError error, std::string_view text, const Limits& limits,
                   RepairedJson& repaired, JsonTape& tape, Diagnostics& diagnostics);
 

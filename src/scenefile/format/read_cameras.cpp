@@ -49,7 +49,7 @@ std::string value_text(const Camera& camera, const ValueRow<Camera>& row) {
 class CameraReader {
  public:
   CameraReader(std::string_view text, const Camera& camera, const Limits& limits)
-      : text_(text), limits_(limits), camera_(camera) {}
+      : text_(without_byte_order_mark(text)), limits_(limits), camera_(camera) {}
 
   Result<CameraPath> read() {
     const JsonError fault = parse_json(text_, limits_.nesting, tape_);

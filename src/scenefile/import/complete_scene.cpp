@@ -27,6 +27,14 @@ void complete_scene(Scene& scene, const Bounds& box, Diagnostics& diagnostics) {
   }
 }
 
+std::string node_name(std::string_view name) {
+  std::size_t size = std::min<std::size_t>(name.size(), 200);
+  while (size > 0 && size < name.size() && (name[size] & 0xC0) == 0x80) {
+    --size;
+  }
+  return std::string(name.substr(0, size));
+}
+
 void report_emission(Diagnostics& diagnostics) {
   diagnostics.report("import.left-out"_code, {},
                      "what materials emit becomes their ambient color, which lights nothing else");

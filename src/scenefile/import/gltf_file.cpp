@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <set>
 
 namespace scenefile {
 
@@ -118,21 +119,36 @@ class Opener {
                 fmt::format("it is glTF {}; export it as glTF 2.0", quoted(version)));
   }
 
-  // Checks required extensions that change the meaning of the data; others can be ignored.
-  bool check_extensions() {
-    constexpr std::string_view known[] = {"KHR_lights_punctual", "KHR_mesh_quantization",
-                                          "KHR_texture_transform"};
-    bool fine = true;
-    for (const JsonValue& required : file_.root["extensionsRequired"].elements()) {
-      const std::string name = required.string().value_or("");
-      if (!name.starts_with("KHR_materials_") &&
-          std::find(std::begin(known), std::end(known), name) == std::end(known)) {
-        fine = fail(
-            "import.unsupported"_code, {},
-            fmt::format("the file requires the extension {}; export it without", quoted(name)));
+  std::set<std::string> unknown_extensions(std::string_view list) const {
+    constexpr std::string_view known[] = {
+        "KHR_lights_punctual",        "KHR_materials_emissive_strength",
+        "KHR_materials_ior",          "KHR_materials_specular",
+        "KHR_materials_transmission", "KHR_materials_volume",
+        "KHR_mesh_quantization",      "KHR_texture_transform"};
+    std::set<std::string> unknown;
+    for (const JsonValue& extension : file_.root[list].elements()) {
+      std::string name = extension.string().value_or("");
+      if (std::find(std::begin(known), std::end(known), name) == std::end(known)) {
+        unknown.insert(std::move(name));
       }
     }
-    return fine;
+    return unknown;
+  }
+
+  // A required extension changes the meaning of the data; others can be left out.
+  bool check_extensions() {
+    const std::set<std::string> required = unknown_extensions("extensionsRequired");
+    for (const std::string& name : required) {
+      fail("import.unsupported"_code, {},
+           fmt::format("the file requires the extension {}; export it without", quoted(name)));
+    }
+    for (const std::string& name : unknown_extensions("extensionsUsed")) {
+      if (!required.contains(name)) {
+        diagnostics_.report("import.left-out"_code, {},
+                            fmt::format("what the extension {} adds is left out", quoted(name)));
+      }
+    }
+    return required.empty();
   }
 
   void tables() {

@@ -36,11 +36,13 @@ PbrMaterial read_pbr(const JsonValue& json) {
   }
   pbr.metallic = unit(core["metallicFactor"], 1);
   pbr.roughness = unit(core["roughnessFactor"], 1);
-  pbr.emissive =
-      color(json["emissiveFactor"], 0) *
-      static_cast<float>(std::clamp(
-          more["KHR_materials_emissive_strength"]["emissiveStrength"].number().value_or(1), 0.0,
-          1e6));
+  if (!json["emissiveTexture"]) {  // which says where it emits, and is left out
+    pbr.emissive =
+        color(json["emissiveFactor"], 0) *
+        static_cast<float>(std::clamp(
+            more["KHR_materials_emissive_strength"]["emissiveStrength"].number().value_or(1), 0.0,
+            1e6));
+  }
   pbr.ior = static_cast<float>(
       std::clamp(more["KHR_materials_ior"]["ior"].number().value_or(1.5), 1.0, 10.0));
   const JsonValue specular = more["KHR_materials_specular"];
@@ -155,7 +157,8 @@ GltfMaterial GltfMaterials::make(const JsonValue& json) {
   }
   const auto base = json["pbrMetallicRoughness"]["baseColorFactor"].numbers(4);
   const float alpha = base ? static_cast<float>(std::clamp((*base)[3], 0.0, 1.0)) : 1;
-  if (alpha < 1 && json["alphaMode"].string().value_or("OPAQUE") == "BLEND") {
+  const std::string alpha_mode = json["alphaMode"].string().value_or("OPAQUE");
+  if (alpha < 1 && alpha_mode == "BLEND") {
     phong.diffuse *= alpha;
     phong.transparent += glm::vec3(1 - alpha);
     phong.ior = 1;
@@ -166,6 +169,11 @@ GltfMaterial GltfMaterials::make(const JsonValue& json) {
     // The diffuse share of the base color.
     const float share = largest(pbr.base) > 0 ? largest(phong.diffuse) / largest(pbr.base) : 1;
     add_texture(texture, known ? pbr.base : pbr.base * std::min(1.0f, share), result);
+  }
+  if (alpha_mode == "MASK") {
+    leave_out("masks by alpha");
+  } else if (texture && alpha_mode == "BLEND") {
+    leave_out("alpha values of pictures");
   }
   if (json["normalTexture"]) {
     leave_out("normal maps");

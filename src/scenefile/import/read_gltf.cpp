@@ -166,7 +166,7 @@ class GltfReader {
       if (links_[next.index].used) {
         id = add_child(result_.scene, next.parent);
         const std::string name = json["name"].string().value_or("");
-        result_.scene.nodes[id].name = name == "root" ? "" : name.substr(0, 200);
+        result_.scene.nodes[id].name = name == "root" ? "" : node_name(name);
         result_.scene.nodes[id].transforms = transforms;
         add_mesh(json, next.index, id, world);
       }
@@ -271,6 +271,9 @@ class GltfReader {
                       static_cast<std::uint32_t>(std::min<std::uint64_t>(
                           json["mode"] ? json["mode"].whole().value_or(99) : 4, 99)),
                       {map[0].x, map[0].y, map[1].x, map[1].y, map[2].x, map[2].y}};
+    if (attributes["COLOR_0"]) {
+      leave_out("colors of vertices");
+    }
     const auto [entry, is_new] = mesh_files_.try_emplace(key);
     if (is_new) {
       if (!json["targets"].elements().empty()) {

@@ -34,11 +34,20 @@ struct Faces {
   std::vector<Corners> uvs;
 };
 
+bool has_emission_map(const MtlMaterial& mtl) {
+  return !mtl.emission_map.name.empty();
+}
+
+// A map says where a material emits; without it, nothing does.
+glm::vec3 emission_of(const MtlMaterial& mtl) {
+  return has_emission_map(mtl) ? glm::vec3(0) : mtl.emission.value_or(glm::vec3(0));
+}
+
 // With emission, as phong_of() has it for glTF. Ka 1 1 1 is the default of many programs, and would
 // be too bright here.
 glm::vec3 ambient_of(const MtlMaterial& mtl, const glm::vec3& diffuse) {
   const glm::vec3 ambient = mtl.ambient.value_or(glm::vec3(0));
-  return (ambient == glm::vec3(1) ? 0.1f * diffuse : ambient) + mtl.emission.value_or(glm::vec3(0));
+  return (ambient == glm::vec3(1) ? 0.1f * diffuse : ambient) + emission_of(mtl);
 }
 
 // With the defaults of the format.
@@ -103,6 +112,9 @@ class ObjSceneReader {
     }
     if (emits_) {
       report_emission(diagnostics_);
+    }
+    if (has_emission_map_) {
+      diagnostics_.report("import.left-out"_code, {}, "pictures of emission are left out");
     }
     if (!diagnostics_.has_errors()) {
       complete_scene(result_.scene, box_, diagnostics_);
@@ -190,7 +202,7 @@ class ObjSceneReader {
         {name, obj_text({flat.positions, flat.normals, flat.uvs, flat.indices})});
     primitive.mesh_file = name;
     const NodeId node = add_child(result_.scene, result_.scene.root);
-    result_.scene.nodes[node].name = faces.material.substr(0, 200);
+    result_.scene.nodes[node].name = node_name(faces.material);
     result_.scene.nodes[node].primitives.push_back(std::move(primitive));
   }
 
@@ -204,7 +216,8 @@ class ObjSceneReader {
       return {};
     }
     Material material = phong_material(found->second);
-    emits_ = emits_ || largest(found->second.emission.value_or(glm::vec3(0))) > 0;
+    emits_ = emits_ || largest(emission_of(found->second)) > 0;
+    has_emission_map_ = has_emission_map_ || has_emission_map(found->second);
     const std::string picture = this->picture(found->second.diffuse_map.name, material.diffuse);
     if (!picture.empty()) {
       material.texture = TextureUse{picture, 1, 1, {}};
@@ -251,6 +264,7 @@ class ObjSceneReader {
   std::vector<Faces> faces_;
   bool has_libraries_ = false;
   bool emits_ = false;  // a material that is used
+  bool has_emission_map_ = false;
   std::map<std::string, MtlMaterial, std::less<>> materials_;
   std::map<std::tuple<std::string, float, float, float>, std::string> pictures_;
   std::uint64_t texture_budget_;

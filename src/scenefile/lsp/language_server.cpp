@@ -4,6 +4,7 @@
 #include "scenefile/base/text.h"
 #include "scenefile/edit/fix.h"
 #include "scenefile/edit/format_text.h"
+#include "scenefile/edit/template_name.h"
 #include "scenefile/format/recognize.h"
 #include "scenefile/format/write_text.h"
 #include "scenefile/lsp/completion.h"
@@ -62,6 +63,11 @@ struct Document {
   KnownAssets assets;
 };
 
+// The text of an editor is UTF-8, whatever encoding it declares: a byte order mark says so.
+std::string as_utf8(std::string_view text) {
+  return std::string("\xEF\xBB\xBF").append(without_byte_order_mark(text));
+}
+
 struct ByteRange {
   std::size_t from = 0;
   std::size_t to = 0;
@@ -108,7 +114,7 @@ bool is_about_asset(const Diagnostic& d) {
 LoadedScene checked(Document& document, const FetchFile& fetch) {
   LoadSettings settings;
   settings.depth = LoadDepth::prepared;
-  LoadedScene scene = load_scene(document.path, document.text, {}, settings);
+  LoadedScene scene = load_scene(document.path, as_utf8(document.text), {}, settings);
   KnownAssets& known = document.assets;
   std::vector<std::string> names;
   for (const FileReference* file : references_of(scene)) {
@@ -118,7 +124,7 @@ LoadedScene checked(Document& document, const FetchFile& fetch) {
     known = {};
   } else if (known.stale || names != known.names) {
     settings.depth = LoadDepth::with_all_assets;
-    scene = load_scene(document.path, document.text, fetch, settings);
+    scene = load_scene(document.path, as_utf8(document.text), fetch, settings);
     known = {std::move(names), scene.assets, {}, false};
     const std::vector<const FileReference*> references = references_of(scene);
     for (const Diagnostic& d : scene.diagnostics.list()) {
@@ -478,15 +484,31 @@ class LanguageServer::Session {
     }
   }
 
+  // Most editors send changes from the end of the text to its beginning: places before a change
+  // stay what they were.
   static void change(Document& document, JsonView item, JsonView changes, double now) {
+    std::string before;
+    std::optional<TextLines> lines;  // of `before`
+    LspPosition changed;             // the first change since then
+    const auto is_unchanged = [&](JsonView position) {
+      const LspPosition p = position_in(position);
+      return lines && std::pair(p.line, p.character) < std::pair(changed.line, changed.character);
+    };
     for (const JsonView& one : changes.elements()) {
       const std::string text = one["text"].string();
-      if (!one["range"].exists()) {
+      const JsonView place = one["range"];
+      if (!place.exists()) {
         document.text = text;
+        lines.reset();
         continue;
       }
-      const ByteRange range = range_in(one["range"], TextLines(document.text));
+      if (!is_unchanged(place["start"]) || !is_unchanged(place["end"])) {
+        before = document.text;
+        lines.emplace(before);
+      }
+      const ByteRange range = range_in(place, *lines);
       document.text.replace(range.from, range.to - range.from, text);
+      changed = lines->position(range.from);
     }
     document.version = item["version"].raw();
     document.due = now + pause;
@@ -518,7 +540,7 @@ class LanguageServer::Session {
     for (const Diagnostic& d : document.findings) {
       all.push_back(&d);
     }
-    document.corrections = replacements(document.text, all);
+    document.corrections = replacements(as_utf8(document.text), all);
     send_findings(document, TextLines(document.text));
   }
 
@@ -623,15 +645,22 @@ class LanguageServer::Session {
       }
     }
     if (!only.empty() && wanted("source.fixAll.scenefile")) {
-      const FixedText fixed = fix_text(document.text, {});
-      if (fixed.text != document.text) {
+      const std::string text = as_utf8(document.text);
+      const FixedText fixed = fix_text(text, {});
+      if (fixed.text != text) {
         begin_action(json, "Fix everything that is certain", "source.fixAll", document);
-        add_edit(json, lines, {0, document.text.size()}, fixed.text);
+        add_edit(json, lines, whole(document), without_byte_order_mark(fixed.text));
         end_action(json);
       }
     }
     json.end_array();
     return std::nullopt;
+  }
+
+  // The text without its byte order mark.
+  static ByteRange whole(const Document& document) {
+    const std::size_t size = document.text.size();
+    return {size - without_byte_order_mark(document.text).size(), size};
   }
 
   static void begin_action(Json& json, std::string_view title, std::string_view kind,
@@ -677,10 +706,11 @@ class LanguageServer::Session {
 
   Answer formatting(Document& document, JsonView /*params*/, Json& json) {
     Diagnostics ignored;
-    const std::optional<std::string> text = lay_out(document.text, {}, ignored);
+    const std::string before = as_utf8(document.text);
+    const std::optional<std::string> text = lay_out(before, {}, ignored);
     json.begin_array();
-    if (text && *text != document.text) {
-      add_edit(json, TextLines(document.text), {0, document.text.size()}, *text);
+    if (text && *text != before) {
+      add_edit(json, TextLines(document.text), whole(document), without_byte_order_mark(*text));
     }
     json.end_array();
     return std::nullopt;
@@ -787,14 +817,10 @@ class LanguageServer::Session {
     const auto refuse = [](std::string why) {
       return Failure{LspError::request_failed, std::move(why)};
     };
-    if (name.empty()) {
-      return refuse("a template needs a name");
-    }
-    if (name == "root" && looks_like_xml(document.text)) {
-      return refuse("the name \"root\" is reserved for the scene itself");
-    }
-    if (taken && name != named.at->name) {
-      return refuse(fmt::format("the name {} is taken", quoted(name)));
+    if (std::string why = why_no_template_name(name, looks_like_xml(document.text),
+                                               taken && name != named.at->name);
+        !why.empty()) {
+      return refuse(std::move(why));
     }
     std::string written;
     if (!append_name(written, name, document.text)) {

@@ -2,6 +2,7 @@
 
 #include "scenefile/base/limits.h"
 #include "scenefile/base/number.h"
+#include "scenefile/base/text.h"
 #include "scenefile/format/json_parser.h"
 #include "scenefile/format/write_text.h"
 #include "scenefile/format/xml_scanner.h"
@@ -84,30 +85,35 @@ class XmlOutline {
     return static_cast<std::size_t>(part.data() - text_.data());
   }
 
+  // Of attributes whose names differ only in letter case that with the right one, as the reader.
   static std::string_view value_of(const XmlToken& token, std::string_view name) {
-    const auto found = std::find_if(token.attributes.begin(), token.attributes.end(),
-                                    [&](const XmlAttribute& a) { return a.name == name; });
-    return found == token.attributes.end() ? std::string_view() : found->value;
+    const XmlAttribute* found = nullptr;
+    for (const XmlAttribute& a : token.attributes) {
+      const bool better = found == nullptr || (found->name != name && a.name == name);
+      found = better && equal_ignoring_case(a.name, name) ? &a : found;
+    }
+    return found == nullptr ? std::string_view() : found->value;
   }
 
   void open(const XmlToken& token) {
     std::size_t part = no_part;
     std::optional<NameUse> tree;
+    const std::string name = lower_case(token.name);
     if (!open_.empty()) {
       open_.back().empty = false;
     }
-    if (token.name == "globaldata") {
+    if (name == "globaldata") {
       part = add(token, OutlineKind::globals, "globaldata", {});
-    } else if (token.name == "cameradata") {
+    } else if (name == "cameradata") {
       part = add(token, OutlineKind::camera, "cameradata", {});
-    } else if (token.name == "lightdata") {
+    } else if (name == "lightdata") {
       part = add(token, OutlineKind::light, "lightdata", {});
-    } else if (token.name == "object") {
+    } else if (name == "object") {
       part = add_object(token, tree);
-    } else if (token.name == "type" && !open_.empty() && open_.back().part != no_part &&
+    } else if (name == "type" && !open_.empty() && open_.back().part != no_part &&
                outline_.parts[open_.back().part].kind == OutlineKind::light) {
       outline_.parts[open_.back().part].detail = value_of(token, "v");
-    } else if (kind_of_element(token.name) == ValueKind::color) {
+    } else if (kind_of_element(name) == ValueKind::color) {
       add_color(token);
     }
     add_values(token);
@@ -154,7 +160,7 @@ class XmlOutline {
   }
 
   std::size_t add_object(const XmlToken& token, std::optional<NameUse>& tree) {
-    const std::string_view type = value_of(token, "type");
+    const std::string type = lower_case(value_of(token, "type"));
     const std::string_view written = value_of(token, "name");
     const std::string name = unescaped_xml(written);
     const bool top = open_.size() == 1;
@@ -171,14 +177,16 @@ class XmlOutline {
                              : type == "master"  ? OutlineKind::instance
                              : top               ? OutlineKind::tree
                                                  : OutlineKind::group;
-    return add(token, kind, name.empty() ? type : std::string_view(name), type);
+    return add(token, kind, name.empty() ? type : name, type);
   }
 
   void add_values(const XmlToken& token) {
-    const bool shape = token.name == "object" && value_of(token, "type") == "primitive";
+    const bool shape = equal_ignoring_case(token.name, "object") &&
+                       equal_ignoring_case(value_of(token, "type"), "primitive");
     for (const XmlAttribute& a : token.attributes) {
-      const bool word = a.name == "type" || (shape && a.name == "name") ||
-                        (token.name == "type" && a.name == "v");
+      const bool word = equal_ignoring_case(a.name, "type") ||
+                        (shape && equal_ignoring_case(a.name, "name")) ||
+                        (equal_ignoring_case(token.name, "type") && a.name == "v");
       const bool number = !word && parse_number(a.value).error == NumberError::none;
       if (!a.value.empty() && (word || number)) {
         outline_.values.push_back({offset(a.value), offset(a.value) + a.value.size(), number});

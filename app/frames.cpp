@@ -384,7 +384,8 @@ class Frames {
       // Players require even sizes, and 4:2:0 chroma subsampling.
       words.insert(words.end(), {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p"});
     }
-    words.push_back(target);
+    // Frames of a longer run may follow.
+    words.insert(words.end(), {"-frames:v", fmt::format("{}", motion_.cameras.size()), target});
     Outcome outcome = outcome_of(run_child(words));
     std::error_code error;
     if (outcome.error.empty()) {

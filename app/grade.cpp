@@ -71,9 +71,13 @@ std::string grading_words(const Options& options, std::span<const NamePair> map)
   if (options.seconds > 0) {
     text += fmt::format(" seconds={}", options.seconds);
   }
-  return fmt::format("{} profile_given={} features_given={} pixel_threshold={} layer_and_map={:x}",
-                     text, was_given(options, "--profile"), was_given(options, "--features"),
-                     options.pixel_threshold, names.value());
+  // What is not given is found in the references.
+  for (const char* const name :
+       {"profile", "features", "parameters", "near", "far", "filter", "milestone"}) {
+    text += fmt::format(" {}_given={}", name, was_given(options, fmt::format("--{}", name)));
+  }
+  return fmt::format("{} pixel_threshold={} layer_and_map={:x}", text, options.pixel_threshold,
+                     names.value());
 }
 
 // The results of students: in memory, or with --store in files.
@@ -240,7 +244,9 @@ ExitCode run_grade(const Options& options, Context& context) {
       .thumbnails = !options.store.empty() || !options.report.empty() || !options.pages.empty(),
       .map = *std::move(map),
       .path = options.render.mode == Mode::path ? std::optional(options.render) : std::nullopt,
-      .seconds = seconds_of_truth(options)};
+      .seconds = seconds_of_truth(options),
+      .one_student = !options.gradescope.empty(),
+      .results = {options.store, options.pages, pictures_folder(options.report)}};
   const auto load_scene = [&](const std::string& path) {
     LoadedScene scene = load_scene_of_pictures(path, options, context);
     if (status_of(scene) == ExitCode::usage) {
@@ -322,7 +328,7 @@ ExitCode run_grade(const Options& options, Context& context) {
     }
   }
   find_identical_files(book);
-  return write_results(options, std::move(book), quoted(options.arguments.front(), 400), context);
+  return write_results(options, std::move(book), context);
 }
 
 }  // namespace scenefile::app

@@ -141,8 +141,8 @@ std::size_t count_pictures(const Gradebook& book) {
 
 // A picture next to the report, relative to it; counted from 0.
 std::string picture_name(const std::string& report, std::size_t student, std::size_t picture) {
-  return fmt::format("{}-pictures/{}-{}.png", fs::path(report).stem().string(), student + 1,
-                     picture + 1);
+  return fmt::format("{}/{}-{}.png", fs::path(pictures_folder(report)).filename().string(),
+                     student + 1, picture + 1);
 }
 
 // Moves the pictures out of the report, if there are many.
@@ -224,6 +224,12 @@ std::vector<std::string> student_file_names(std::span<const std::string> student
   return names;
 }
 
+std::string pictures_folder(const std::string& report) {
+  const fs::path path(report);
+  return report.empty() ? std::string()
+                        : (path.parent_path() / (path.stem().string() + "-pictures")).string();
+}
+
 Outcome claim_pages(const Options& options, std::span<const std::string> students,
                     std::size_t pictures, Context& context) {
   Result<void> added;
@@ -248,12 +254,7 @@ Outcome claim_pages(const Options& options, std::span<const std::string> student
   return outcome_of(added);
 }
 
-ExitCode write_results(const Options& options, Gradebook book, std::string_view holder,
-                       Context& context) {
-  if (!options.gradescope.empty() && book.students.size() != 1) {
-    return fail(ExitCode::usage, fmt::format("--gradescope is for one student, and {} has {}",
-                                             holder, book.students.size()));
-  }
+ExitCode write_results(const Options& options, Gradebook book, Context& context) {
   const ExitCode status = book.all_passed() ? ExitCode::fine : ExitCode::findings;
   // Before the files, so that running out of memory here leaves none.
   const std::string text = options.json    ? gradebook_json(book)

@@ -106,11 +106,11 @@ constexpr std::array command_rows{
             run_diff, ArgumentCount{1, 2}},
     Command{
         "grade", for_grade, "DIR", "compare the pictures of a class with the references",
-        "Each folder in DIR is a student; without such folders, DIR itself is a single student. "
-        "Compares the pictures with the references of the same names and, if the scenes are given, "
-        "says which mistake explains a difference. If --profile and --features are not "
-        "given, those that fit the references are found. The exit status is 1 if a picture did not "
-        "pass.",
+        "Each folder in DIR is a student; without such folders, or with --gradescope, DIR itself "
+        "is a single student. Compares the pictures with the references of the same names and, if "
+        "the scenes are given, says which mistake explains a difference. If --profile and "
+        "--features are not given, those that fit the references are found. The exit status is 1 "
+        "if a picture did not pass.",
         "scenefile grade handed-in --references right\n"
         "scenefile grade handed-in --references right --scenes scenes --report report.html\n"
         "scenefile grade handed-in --references right --map names.csv --csv grades.csv\n"
@@ -231,9 +231,10 @@ ExitCode run_command(const Command& command, std::span<const char* const> words,
       !wrong.empty()) {
     const ExitCode status = complain(wrong, command.name);
     if (!configured.words.empty()) {
-      say(fmt::format("The configuration stands for: scenefile {} {} -o {} {}\n", command.name,
-                      escaped(configured.scene, 4096), escaped(configured.output, 4096),
-                      fmt::join(configured.words, " ")));
+      const std::string output = configured_output(command, configured);
+      say(fmt::format("The configuration stands for: scenefile {} {}{}{} {}\n", command.name,
+                      escaped(configured.scene, 4096), output.empty() ? "" : " -o ",
+                      escaped(output, 4096), fmt::join(configured.words, " ")));
     }
     return status;
   }

@@ -480,9 +480,9 @@ std::string parse_options(const Command& command, std::span<const char* const> w
   }
   if (!configured.scene.empty()) {
     options.arguments = {configured.scene};
-    if (options.output.empty() && has_option(command, "--output")) {
-      options.output = configured.output;
-      options.any_extension = true;
+    if (options.output.empty()) {
+      options.output = configured_output(command, configured);
+      options.any_extension = !options.output.empty();
     }
   }
   if (std::string wrong = check_realtime_options(options); !wrong.empty()) {
@@ -497,6 +497,13 @@ std::string parse_options(const Command& command, std::span<const char* const> w
   options.load.compat_course =
       options.load.compat_course || options.render.profile == Profile::course || options.realtime;
   return check_together(command, options);
+}
+
+std::string configured_output(const Command& command, const Configured& configured) {
+  const bool pattern = configured.output.find('%') != std::string::npos;
+  return has_option(command, "--output") && (pattern || command.bit != for_frames)
+             ? configured.output
+             : std::string();
 }
 
 std::string config_argument(const Command& command, std::span<const char* const> words) {

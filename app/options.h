@@ -142,6 +142,10 @@ struct Options {
 std::string parse_options(const Command& command, std::span<const char* const> words,
                           Options& options, const Configured& configured);
 
+/// What the configuration gives as --output; empty if the command has none, and for frames, unless
+/// it is a pattern.
+std::string configured_output(const Command& command, const Configured& configured);
+
 /// The argument, if a command that draws pictures has only one and it is a configuration; otherwise
 /// empty.
 std::string config_argument(const Command& command, std::span<const char* const> words);

@@ -339,6 +339,21 @@ TEST_F(PathDriver, GivenOptionsCountMore) {
   EXPECT_EQ(parse_json(run({"render", "c.ini", "--json"}).out)["samples"].GetInt(), 3);
 }
 
+// Its picture is none of them.
+TEST_F(PathDriver, FramesDoNotNeedAnOutput) {
+  const Words frames{"frames", "c.ini", "--turntable", "2", "--samples", "1"};
+  folder.write("c.ini", config("", "out.png"));
+  const ProgramRun scenes = run(frames + Words{"--write-scenes", "s%d.xml"});
+  EXPECT_EQ(scenes.status, 0) << scenes.err;
+  EXPECT_THAT(scenes.err, HasSubstr("2 scenes written"));
+  const ProgramRun none = run(frames);
+  EXPECT_EQ(none.status, 2);
+  EXPECT_THAT(none.err, HasSubstr("frames needs an output: -o frame%04d.png"));
+  folder.write("c.ini", config("", "f%d.png"));
+  EXPECT_EQ(run(frames).status, 0);
+  EXPECT_TRUE(fs::exists(folder.path("f2.png")));
+}
+
 TEST_F(PathDriver, GivenOptionsThatContradictAreToldWhatTheConfigurationIs) {
   folder.write("c.ini", config("samplesPerPixel=3\npathContinuationProb=0\n"));
   const ProgramRun rays = run({"render", "c.ini", "--mode", "ray"});

@@ -254,7 +254,7 @@ TEST_F(FramesTest, AVideoNeedsAllFrames) {
   };
   EXPECT_EQ(video({"-o", "v%d.png", "--video", "v.mp4", "--fps", "12"}).status, 0);
   EXPECT_THAT(folder.read("v.mp4"), AllOf(HasSubstr("-framerate 12 "), HasSubstr("-i v%d.png "),
-                                          HasSubstr("-pix_fmt yuv420p ")));
+                                          HasSubstr("-pix_fmt yuv420p -frames:v 3 ")));
   const Words first{"-o", "f%d.png", "--video", "f.gif", "--range", "1:1"};
   const ProgramRun part = video(first);
   EXPECT_EQ(part.status, 1);

@@ -256,7 +256,7 @@ TEST_F(Outputs, MayShareDevicesAndReplaceOlderOutputs) {
   EXPECT_EQ(run(grade + Words{"--csv", "/dev/null", "--junit", "/dev/null"}).status, 0);
   for (int i = 0; i < 2; ++i) {
     EXPECT_EQ(run(render + Words{"-o", "bands/x.png", "--store", "bands"}).status, 0);
-    EXPECT_EQ(run(grade + Words{"--report", "class/r.html", "--pages", "class/ann"}).status, 0);
+    EXPECT_EQ(run(grade + Words{"--report", "class/r.html", "--pages", "class/pages"}).status, 0);
     EXPECT_EQ(run({"format", "flat.xml"}).status, 0);  // rewrites its input by design
   }
 }

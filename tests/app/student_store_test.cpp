@@ -15,6 +15,7 @@ namespace {
 
 using namespace testing_support;
 using ::testing::AllOf;
+using ::testing::AnyOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -185,6 +186,43 @@ TEST_F(StudentStore, ResultsAreKeptUntilTheirPicturesChange) {
   folder.write("results/ben.json", "{\"mine\": 1}");
   refused(share(1, 2), "results/ben.json: it is not the result of a student");
   EXPECT_EQ(folder.read("results/ben.json"), "{\"mine\": 1}");
+}
+
+// Settings that are not given are found in the references, even if they are the defaults.
+TEST_F(StudentStore, KeysHaveTheSettingsOfRealtime) {
+  folder.make("one/anna");
+  folder.write("one/anna/other.png", folder.read("right.png"));
+  const auto grade_one = [&](const Words& more) {
+    return run(Words{"grade", "one", "--references", "refs", "--store", "results", "--profile",
+                     "realtime"} +
+               more);
+  };
+  const Words given{"--parameters", "5,5"};
+  EXPECT_EQ(grade_one(given).err, grade_one(given).err);
+  EXPECT_THAT(grade_one({}).err,
+              HasSubstr("it was graded with parameters_given = true, not false"));
+  EXPECT_THAT(grade_one(given + Words{"--filter", "none"}).err,
+              HasSubstr("it was graded with filter_given = false, not true"));
+  folder.write("refs/references.tsv", "reference\tparameter1\nball.png\t7\n");
+  EXPECT_THAT(grade_one(given).err, HasSubstr("it was graded with other references or scenes"));
+}
+
+// What a run writes into the folder of the class, and references there, are no students of the
+// next.
+TEST_F(StudentStore, TheFolderOfTheClassMayContainIt) {
+  std::filesystem::rename(folder.path("refs"), folder.path("class/refs"));
+  const Words words{"grade", "class", "--references", "class/refs", "--store", "class/graded"};
+  for (const char* part : {"1/2", "2/2"}) {
+    EXPECT_THAT(run(words + Words{"--part", part}).err,
+                AnyOf(HasSubstr("2 students graded, 0"), HasSubstr("3 students graded, 0")));
+  }
+  const Words last = words + Words{"--pages", "class/out/pages", "--report", "class/report.html",
+                                   "--csv-students"};
+  EXPECT_EQ(run(last + Words{"a.csv"}).status, 1);
+  folder.make("class/report-pictures");
+  EXPECT_EQ(run(last + Words{"b.csv"}).status, 1);
+  EXPECT_EQ(folder.read("a.csv"), folder.read("b.csv"));
+  EXPECT_EQ(folder.contents("class/graded").size(), 5U);
 }
 
 // The name of a student's file does not depend on who else is in the class.

@@ -61,12 +61,15 @@ def try_autograder(folder):
     for file in (ROOT / "docs" / "examples" / "gradescope").iterdir():
         shutil.copy(file, folder / "source")
     draw = f"scenefile render {ROOT}/scenes/hello.xml --size 96x72 --profile course -q"
-    run(f"{draw} -o source/references/one.png; {draw} -o source/references/two.png; cp source/references/one.png submission;"
-        f"{draw} --features none -o submission/two.png", folder, {})
+    # A repository, not only pictures.
+    run("mkdir submission/src submission/student_outputs; touch submission/src/main.cpp;"
+        f"{draw} -o source/references/one.png; {draw} -o source/references/two.png;"
+        f"cp source/references/one.png submission/student_outputs;"
+        f"{draw} --features none -o submission/student_outputs/two.png", folder, {})
     run("source/run_autograder", folder, {"AUTOGRADER": str(folder)})
     results = json.loads((folder / "results" / "results.json").read_text())
     assert [(test["name"], test["score"]) for test in results["tests"]] == [("one", 1), ("two", 0)], results
-    assert "differs" in results["tests"][1]["output"]
+    assert "PSNR" in results["tests"][1]["output"]
     shutil.rmtree(folder / "submission")
     (folder / "submission").mkdir()
     run("source/run_autograder", folder, {"AUTOGRADER": str(folder)})

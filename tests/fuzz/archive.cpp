@@ -17,8 +17,14 @@ void judge(std::string_view bytes, const ArchiveBudget& all, std::uint64_t max_b
            bool read_all) {
   ArchiveBudget budget = all;
   std::uint64_t entries = 0;
-  const std::string why =
-      visit_archive_bytes(bytes, budget, [&](const ArchiveEntry& entry, const ReadEntry& read) {
+  const auto visit_folder = [](std::string_view path) {
+    require(!path.empty() && !path.starts_with('/') && !path.ends_with('/'), "folders have names");
+    require(("/" + std::string(path) + "/").find("/../") == std::string::npos,
+            "no folder is outside");
+  };
+  const std::string why = visit_archive_bytes(
+      bytes, budget,
+      [&](const ArchiveEntry& entry, const ReadEntry& read) {
         ++entries;
         require(!entry.problem.empty() || (!entry.path.empty() && !entry.path.starts_with('/')),
                 "what is read has a path in the archive");
@@ -31,7 +37,8 @@ void judge(std::string_view bytes, const ArchiveBudget& all, std::uint64_t max_b
                   "there are bounded contents or a reason");
           require(!contents || entry.problem.empty(), "what has a problem is not read");
         }
-      });
+      },
+      visit_folder);
   require(entries <= all.entries && budget.entries <= all.entries - entries,
           "entries are bounded and counted");
   require(budget.bytes <= all.bytes, "the budget never grows");

@@ -350,6 +350,15 @@ TEST(Gradebook, Gradescope) {
       "because\\n\", \"tags\": [\"shadows\"], \"visibility\": \"visible\"}\n  ]\n}\n");
 }
 
+TEST(Gradebook, GradescopeGetsUtf8) {
+  PictureResult picture = two_students().students[1].pictures[1];
+  picture.notes = {"a\xff\n.png was graded"};
+  picture.causes[0].evidence = "b\xff";
+  EXPECT_THAT(
+      gradescope_json({"eve", {picture}}),
+      AllOf(HasSubstr(R"(\n  b\\xff\n)"), HasSubstr(R"(Note: a\\xff\\n.png was graded\n)")));
+}
+
 TEST(Gradebook, Junit) {
   EXPECT_THAT(
       gradebook_junit(two_students()),

@@ -63,6 +63,26 @@ TEST(Archive, AllFormatsAreRead) {
   }
 }
 
+TEST(Archive, FoldersAreVisitedForAllThatIsInThem) {
+  for (const char* name : {"a.zip", "a.tar"}) {
+    const std::string bytes = write_archive(name, {{"a/b.png"},
+                                                   {"c/d/", "", Kind::folder},
+                                                   {"e/.DS_Store"},
+                                                   {"f/.git/g/HEAD"},
+                                                   {"__MACOSX/", "", Kind::folder},
+                                                   {"__MACOSX/h/._b.png"},
+                                                   {"../i/b.png"},
+                                                   {"b.png"}});
+    std::vector<std::string> folders;
+    ArchiveBudget budget;
+    EXPECT_EQ(visit_archive_bytes(
+                  bytes, budget, [](const ArchiveEntry&, const ReadEntry&) {},
+                  [&](std::string_view path) { folders.emplace_back(path); }),
+              "");
+    EXPECT_THAT(folders, ElementsAre("a", "c/d", "e", "f")) << name;
+  }
+}
+
 TEST(Archive, JunkIsSkippedAndEverythingElseHasAProblem) {
   const Visit visit = visited(write_archive("a.tar", {{"__MACOSX/a.png"},
                                                       {"a/._b.png"},

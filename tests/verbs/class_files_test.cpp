@@ -156,6 +156,43 @@ TEST(ClassFiles, FoldersArchivesAndNamesOfCourseSystems) {
                                  "smithjohn (123)", "smithjohn (777)", "typed"));
 }
 
+TEST(ClassFiles, OtherFoldersAreNoStudents) {
+  const TempFolder folder;
+  for (const char* name : {"class/ada/ball.png", "class/bob/ball.png", "class/right/ball.png",
+                           "class/out/pages/ada.html", "away/ada.json"}) {
+    folder.write(name);
+  }
+  std::filesystem::create_directory_symlink(folder.path("away"), folder.path("class/graded"));
+  const ClassFiles found = find_class_files(
+      folder.path("class"), references(usual),
+      {"", folder.path("away"), folder.path("class/right/"), folder.path("class/out/pages"),
+       folder.path("class/none"), folder.path("class")});
+  std::vector<std::string> names;
+  for (const StudentFiles& student : found.students) {
+    names.push_back(student.name);
+  }
+  EXPECT_THAT(names, ElementsAre("ada", "bob"));
+  names.clear();
+  for (const IgnoredFile& file : found.ignored) {
+    names.push_back(file.path);
+    EXPECT_THAT(file.reason, HasSubstr("it is, or contains, the folder of references"));
+  }
+  EXPECT_THAT(names, ElementsAre("graded", "out", "right"));
+}
+
+TEST(ClassFiles, NamesOfStudentsMayContainDots) {
+  const TempFolder folder;
+  folder.write("john/ball.png");
+  for (const char* name : {"john.doe.7z", "john.smith.rar", "john.roe.tar.xz", "john.tar.zip"}) {
+    folder.write(name);
+  }
+  std::vector<std::string> names;
+  for (const StudentFiles& student : find_class_files(folder.path(), references(usual)).students) {
+    names.push_back(student.name);
+  }
+  EXPECT_THAT(names, ElementsAre("john", "john.doe", "john.roe", "john.smith", "john.tar"));
+}
+
 TEST(FoundFiles, FoldersAreThoseBelowTheSearchedOne) {
   for (const auto& [folder, path] : {std::pair("refs", "refs/a/b/c.d.png"),
                                      {"refs/", "refs/a/b/c.d.png"},
@@ -203,6 +240,34 @@ TEST(ClassFiles, AnArchiveOfTheClass) {
   expect_rows(found_in(folder.path("all")), {{"submissions.zip/lee_1_2_ball.png", "lee/ball"},
                                              {"submissions.zip/roe_3_4_ball.png", "roe/ball"},
                                              {"zoe/ball.png", "zoe/ball"}});
+}
+
+// Also if they are nobody's file.
+TEST(ClassFiles, TheArchiveOfAClassHasTheStudentsOfItsFolder) {
+  const TempFolder folder;
+  const std::vector<WrittenEntry> entries{{"ada/ball.png"},    {"bob/", "", Kind::folder},
+                                          {"cyd/.DS_Store"},   {"dan/.git/HEAD"},
+                                          {".cache/ball.png"}, {"__MACOSX/ada/._ball.png"}};
+  std::vector<WrittenEntry> wrapped{{"export/", "", Kind::folder}};
+  for (const WrittenEntry& entry : entries) {
+    wrapped.push_back({"export/" + entry.path, entry.bytes, entry.kind});
+    entry.kind == Kind::folder
+        ? void(std::filesystem::create_directories(folder.path("class/" + entry.path)))
+        : void(folder.write("class/" + entry.path));
+  }
+  folder.write("class.zip", write_archive("class.zip", entries));
+  folder.write("wrapped.tgz", write_archive("wrapped.tgz", wrapped));
+  for (const char* name : {"class", "class.zip", "wrapped.tgz"}) {
+    SCOPED_TRACE(name);
+    const ClassFiles found = find_class_files(folder.path(name), references(usual));
+    std::vector<std::string> names;
+    for (const StudentFiles& student : found.students) {
+      names.push_back(student.name);
+    }
+    EXPECT_THAT(names, ElementsAre("ada", "bob", "cyd", "dan"));
+    ASSERT_EQ(found.ignored.size(), 1U);
+    EXPECT_EQ(found.ignored[0].reason, "hidden: its name begins with a dot");
+  }
 }
 
 TEST(ClassFiles, OneStudent) {
@@ -271,6 +336,25 @@ TEST(ClassFiles, PicturesAfterADamagedOneAreRead) {
   EXPECT_EQ(*bytes[1], "b");
 }
 
+// Its code does not make a class of it.
+TEST(ClassFiles, TheRepositoryOfOneStudent) {
+  const TempFolder folder;
+  folder.write("sub/student_outputs/illuminate/required/ball.png");
+  folder.write("sub/src/main.cpp");
+  folder.write("sub/scenefiles/ball.xml");
+  folder.write("sub/CMakeLists.txt");
+  std::filesystem::create_directories(folder.path("sub/build"));
+  expect_rows(found_in(folder.path("sub")),
+              {{"student_outputs/illuminate/required/ball.png", "sub/ball"},
+               {"src/main.cpp", "(sub) not a picture"},
+               {"scenefiles/ball.xml", "(sub) not a picture"},
+               {"CMakeLists.txt", "(sub) not a picture"}});
+  // Other folders with pictures do, unless it is said that there is one student.
+  folder.write("sub/textures/ball.png");
+  EXPECT_EQ(found_in(folder.path("sub")).at("textures/ball.png"), "textures/ball");
+  EXPECT_EQ(find_class_files(folder.path("sub"), references(usual), {}, true).students.size(), 1U);
+}
+
 // For each reference, the name of the picture that is taken.
 std::vector<std::string> matches(const std::vector<std::string>& names,
                                  const std::vector<std::string>& pictures) {
@@ -302,6 +386,30 @@ TEST(MatchPictures, BothFormsOfAccentsAreAlike) {
   EXPECT_THAT(matches({"t\xC3\xA4st"}, {"tast"}), ElementsAre(""));
 }
 
+TEST(MatchPictures, OtherScriptsAreLettersToo) {
+  const std::string ball = "\xD1\x88\xD0\xB0\xD1\x80";
+  const std::string cube = "\xD0\xBA\xD1\x83\xD0\xB1";
+  const std::string sphere = "\xE7\x90\x83";
+  const std::vector<std::string> names{ball, cube, sphere};
+  EXPECT_THAT(matches(names, names), ElementsAre(ball, cube, sphere));
+  EXPECT_THAT(matches(names, {"cube", "\xE7\x90\x84", "\xC3\xA9", "\xFF"}),
+              ElementsAre("", "", ""));
+  EXPECT_THAT(matches(names, {cube + "_gen", "hw2_" + sphere + "_final",
+                              ball + "\xE2\x80\x93"
+                                     "out"}),
+              ElementsAre(ball + "\xE2\x80\x93"
+                                 "out",
+                          cube + "_gen", "hw2_" + sphere + "_final"));
+  EXPECT_THAT(matches({"test_" + ball, "1" + ball}, {ball + "1"}), ElementsAre("", ""));
+  // Names of which nothing remains match nothing else.
+  EXPECT_THAT(matches({"\xFE", "gen"}, {"\xFF", "\xC3\xA9"}), ElementsAre("", ""));
+  EXPECT_THAT(matches({"\xFE"}, {"\xFE"}), ElementsAre("\xFE"));
+  for (const std::string& name : {ball, std::string("\xC3\xA9"), std::string("\xFF")}) {
+    EXPECT_FALSE(is_layout_folder(name)) << name;
+  }
+  EXPECT_TRUE(is_layout_folder("student_outputs"));
+}
+
 TEST(MatchPictures, MapsMayBeginWithAByteOrderMark) {
   std::string wrong;
   const std::vector<NamePair> map = read_name_map(
@@ -310,6 +418,21 @@ TEST(MatchPictures, MapsMayBeginWithAByteOrderMark) {
       wrong);
   ASSERT_EQ(map.size(), 1U) << wrong;
   EXPECT_EQ(map[0].handed_in, "a.png");
+}
+
+// They come in alphabetical order.
+TEST(MatchPictures, OfSeveralFormatsThoseThatChangeColorsComeLast) {
+  const auto taken = [](const std::vector<std::string>& names) {
+    std::vector<FoundFile> pictures;
+    for (const std::string& name : names) {
+      pictures.push_back(found_file("mine", "mine/" + name));
+    }
+    return names.at(
+        static_cast<std::size_t>(match_pictures(references({"ball"}), pictures).pictures[0]));
+  };
+  EXPECT_EQ(taken({"ball.bmp", "ball.exr", "ball.gif", "ball.jpg", "ball.PNG"}), "ball.PNG");
+  EXPECT_EQ(taken({"ball.gif", "ball.jpeg", "ball.tga"}), "ball.tga");
+  EXPECT_EQ(taken({"ball.jpg", "ball_gen.png"}), "ball.jpg");  // the better name
 }
 
 TEST(MatchPictures, TheBetterNameIsTaken) {

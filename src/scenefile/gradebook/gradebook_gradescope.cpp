@@ -7,10 +7,10 @@ namespace scenefile {
 
 namespace {
 
-// A JSON string. Callers escape bytes that are not UTF-8.
+// A JSON string.
 std::string quoted_json(std::string_view text) {
   std::string result = "\"";
-  for (const char c : text) {
+  for (const char c : valid_utf8(text)) {
     switch (c) {
       case '"':
         result += "\\\"";
@@ -44,7 +44,7 @@ std::string output_of(const PictureResult& picture) {
         fmt::format("In part: {} [{}]\n  {}\n", claim.what, name_of(claim.cause), claim.evidence);
   }
   for (const std::string& note : picture.notes) {
-    text += fmt::format("Note: {}\n", note);
+    text += fmt::format("Note: {}\n", escaped(note));
   }
   return text;
 }

@@ -113,18 +113,29 @@ void set_path(ArchiveEntry& entry, std::string_view written) {
   }
 }
 
-bool is_junk_path(std::string_view path) {
-  for (;;) {
-    const std::size_t slash = path.find('/');
-    const std::string_view part = path.substr(0, slash);
+// Where the first part that is junk starts, or npos.
+std::size_t junk_in(std::string_view path) {
+  for (std::size_t start = 0;;) {
+    const std::size_t slash = path.find('/', start);
+    const std::string_view part = path.substr(start, slash - start);
     if (part != ".." && is_junk_name(part)) {
-      return true;
+      return start;
     }
     if (slash == std::string_view::npos) {
-      return false;
+      return slash;
     }
-    path.remove_prefix(slash + 1);
+    start = slash + 1;
   }
+}
+
+// The folder of an entry, or the folder that it is, up to junk.
+std::string_view folder_in(std::string_view path, bool is_folder) {
+  const std::size_t end = is_folder ? path.size() : path.find_last_of('/');
+  const std::size_t junk = junk_in(path);
+  if (junk == 0 || end == std::string_view::npos) {
+    return {};
+  }
+  return path.substr(0, std::min(end, junk - 1));
 }
 
 // libarchive does not always have one, and some end with a line break.
@@ -141,7 +152,7 @@ class Visitor {
   Visitor(const Library& library, ::archive* archive, ArchiveBudget& budget)
       : library_(library), archive_(archive), budget_(budget) {}
 
-  std::string visit_all(const VisitEntry& visit) {
+  std::string visit_all(const VisitEntry& visit, const VisitFolder& visit_folder) {
     for (::archive_entry* entry = nullptr;;) {
       const int status = library_.read_next_header(archive_, &entry);
       if (status == ARCHIVE_EOF) {
@@ -166,7 +177,15 @@ class Visitor {
         }
       }
       ArchiveEntry file;
-      if (!describe(entry, file)) {
+      const bool visible = describe(entry, file);
+      if (visit_folder && !file.outside) {
+        const std::string_view folder =
+            folder_in(file.path, library_.entry_filetype(entry) == AE_IFDIR);
+        if (!folder.empty()) {
+          visit_folder(folder);
+        }
+      }
+      if (!visible) {
         continue;
       }
       bool exhausted = false;
@@ -190,13 +209,10 @@ class Visitor {
   bool describe(::archive_entry* entry, ArchiveEntry& file) const {
     const char* const name = library_.entry_pathname(entry);
     const auto type = library_.entry_filetype(entry);
-    if (type == AE_IFDIR) {
-      return false;
-    }
     if (name != nullptr) {
       set_path(file, name);
     }
-    if (is_junk_path(file.path)) {
+    if (type == AE_IFDIR || junk_in(file.path) != std::string_view::npos) {
       return false;
     }
     if (library_.entry_hardlink(entry) != nullptr) {
@@ -257,7 +273,8 @@ bool is_empty_zip(std::string_view start, std::uint64_t size) {
 
 // `open` gives the archive to libarchive, and returns its status.
 template <typename Open>
-std::string visit_opened(ArchiveBudget& budget, const VisitEntry& visit, const Open& open) {
+std::string visit_opened(ArchiveBudget& budget, const VisitEntry& visit,
+                         const VisitFolder& visit_folder, const Open& open) {
   static const Library library = [] {
     Library found;
     return load(found) ? found : Library();
@@ -278,12 +295,13 @@ std::string visit_opened(ArchiveBudget& budget, const VisitEntry& visit, const O
       status != ARCHIVE_OK && status != ARCHIVE_WARN) {
     return fmt::format("it cannot be read as an archive: {}", message(library, archive.get()));
   }
-  return Visitor(library, archive.get(), budget).visit_all(visit);
+  return Visitor(library, archive.get(), budget).visit_all(visit, visit_folder);
 }
 
 }  // namespace
 
-std::string visit_archive(const std::string& path, ArchiveBudget& budget, const VisitEntry& visit) {
+std::string visit_archive(const std::string& path, ArchiveBudget& budget, const VisitEntry& visit,
+                          const VisitFolder& visit_folder) {
   const Result<OpenFile> file = open_regular(path, false, budget.bytes);
   if (!file) {
     const std::string& text = file.error().text;
@@ -295,17 +313,17 @@ std::string visit_archive(const std::string& path, ArchiveBudget& budget, const 
   if (got > 0 && is_empty_zip({start.data(), static_cast<std::size_t>(got)}, file->size)) {
     return {};
   }
-  return visit_opened(budget, visit, [&](const Library& library, ::archive* archive) {
+  return visit_opened(budget, visit, visit_folder, [&](const Library& library, ::archive* archive) {
     return library.read_open_fd(archive, file->descriptor.get(), std::size_t{1} << 16);
   });
 }
 
 std::string visit_archive_bytes(std::string_view bytes, ArchiveBudget& budget,
-                                const VisitEntry& visit) {
+                                const VisitEntry& visit, const VisitFolder& visit_folder) {
   if (is_empty_zip(bytes, bytes.size())) {
     return {};
   }
-  return visit_opened(budget, visit, [&](const Library& library, ::archive* archive) {
+  return visit_opened(budget, visit, visit_folder, [&](const Library& library, ::archive* archive) {
     return library.read_open_memory(archive, bytes.data(), bytes.size());
   });
 }

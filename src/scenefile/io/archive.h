@@ -38,13 +38,18 @@ using ReadEntry = std::function<Result<std::string>(std::uint64_t max_bytes)>;
 /// occurs twice, the later entry is the current one. `read` is only valid during the call.
 using VisitEntry = std::function<void(const ArchiveEntry& entry, const ReadEntry& read)>;
 
+/// Called for the path of each folder that is an entry or contains one, also junk, unless the
+/// folder is junk or not in the archive; possibly more than once.
+using VisitFolder = std::function<void(std::string_view path)>;
+
 /// Visits the entries of an archive: a regular file of at most budget.bytes, not a link. Returns
 /// why not all entries were visited, as a clause; empty if all were. Links, devices, encrypted
 /// entries, and paths that lead out of the archive have a `problem`.
-std::string visit_archive(const std::string& path, ArchiveBudget& budget, const VisitEntry& visit);
+std::string visit_archive(const std::string& path, ArchiveBudget& budget, const VisitEntry& visit,
+                          const VisitFolder& visit_folder = {});
 
 /// The same for an archive in memory.
 std::string visit_archive_bytes(std::string_view bytes, ArchiveBudget& budget,
-                                const VisitEntry& visit);
+                                const VisitEntry& visit, const VisitFolder& visit_folder = {});
 
 }  // namespace scenefile

@@ -56,21 +56,28 @@ bool read_name(const std::string& name, const std::vector<FoundFile>& references
 
 // Archives of a whole class often have one folder that contains the rest; and the archive that a
 // course system made may lie next to other files.
-void unwrap(std::vector<ClassItem>& items, const std::vector<FoundFile>& references,
-            bool is_archive) {
+void unwrap(ClassListing& listing, const std::vector<FoundFile>& references, bool is_archive) {
+  std::vector<ClassItem>& items = listing.items;
   const auto enter = [&](const std::string& top) {
-    for (ClassItem& item : items) {
-      if (!is_loose(item) && item.file.folders.front() == top) {
-        item.file.folders.erase(item.file.folders.begin());
+    const auto enter_from = [&](std::vector<std::string>& folders) {
+      if (!folders.empty() && folders.front() == top) {
+        folders.erase(folders.begin());
       }
+    };
+    for (ClassItem& item : items) {
+      enter_from(item.file.folders);
     }
+    std::for_each(listing.folders.begin(), listing.folders.end(), enter_from);
+    std::erase(listing.folders, std::vector<std::string>());
+  };
+  const auto in_first = [&](const std::vector<std::string>& folders) {
+    return !folders.empty() && folders.front() == items.front().file.folders.front();
   };
   while (is_archive && !items.empty() && !is_loose(items.front()) &&
          !is_archive_name(items.front().file.folders.front()) &&
-         std::all_of(items.begin(), items.end(), [&](const ClassItem& item) {
-           return !is_loose(item) &&
-                  item.file.folders.front() == items.front().file.folders.front();
-         })) {
+         std::all_of(items.begin(), items.end(),
+                     [&](const ClassItem& item) { return in_first(item.file.folders); }) &&
+         std::all_of(listing.folders.begin(), listing.folders.end(), in_first)) {
     enter(std::string(items.front().file.folders.front()));
   }
   std::set<std::string> packed;
@@ -114,8 +121,8 @@ struct Top {
 
 std::vector<Top> tops_of(const ClassListing& listing, const std::vector<FoundFile>& references) {
   std::map<std::string, Top> tops;
-  for (const std::string& folder : listing.folders) {
-    tops[folder].folder = true;
+  for (const std::vector<std::string>& folder : listing.folders) {
+    tops[folder.front()].folder = true;
   }
   for (const ClassItem& item : listing.items) {
     Top& top = tops[top_of(item)];
@@ -125,6 +132,7 @@ std::vector<Top> tops_of(const ClassListing& listing, const std::vector<FoundFil
   std::vector<Top> list;
   for (auto& [name, top] : tops) {
     top.name = name;
+    top.folder = top.folder && !is_hidden_name(name);
     top.archive =
         !is_hidden_name(name) && (is_archive_name(name) || (!top.folder && is_other_archive(name)));
     top.of_system = read_name(name, references, top.system);
@@ -133,9 +141,10 @@ std::vector<Top> tops_of(const ClassListing& listing, const std::vector<FoundFil
   return list;
 }
 
-// Only one student: there are only folders of layouts, or the pictures next to folders show at
-// least as many references as those in them. Not if most have names of a course system; a few
-// pictures look as if they had, such as ball_640_480_final.png. `why`: set in the second case.
+// Only one student: pictures are only in folders of layouts, or those next to folders show at least
+// as many references as those in them. Folders without pictures say nothing: a repository has some
+// with code. Not if most have names of a course system; a few pictures look as if they had, such as
+// ball_640_480_final.png. `why`: set in the second case.
 bool is_one_student(const std::vector<Top>& tops, const std::vector<ClassItem>& items,
                     const std::vector<FoundFile>& references, std::string& why) {
   std::size_t in_folders = 0;
@@ -145,7 +154,8 @@ bool is_one_student(const std::vector<Top>& tops, const std::vector<ClassItem>& 
   for (const Top& top : tops) {
     of_system += top.of_system ? 1 : 0;
     others += !top.of_system && !top.folder && is_picture_name(top.name) ? 1 : 0;
-    if (top.folder || top.archive) {
+    if (top.folder && std::any_of(top.items.begin(), top.items.end(),
+                                  [](const ClassItem* item) { return item->reason.empty(); })) {
       layout = layout && is_layout_folder(without_archive_ending(top.name));
     }
   }
@@ -217,8 +227,8 @@ class ClassBuilder {
   ClassBuilder(const std::string& folder, const std::vector<FoundFile>& references)
       : references_(references), folder_(folder) {}
 
-  ClassFiles build() {
-    ClassListing listing = list_class(folder_);
+  ClassFiles build(const std::vector<std::string>& other_folders, bool one_student) {
+    ClassListing listing = list_class(folder_, other_folders);
     drop_overwritten(listing.items);
     const bool is_archive = !is_folder(folder_);
     std::set<std::string> paths;
@@ -239,10 +249,10 @@ class ClassBuilder {
       }
     }
     result_.paths.assign(paths.begin(), paths.end());
-    unwrap(listing.items, references_, is_archive);
+    unwrap(listing, references_, is_archive);
     first_ = listing.items.data();
     std::vector<Top> tops = tops_of(listing, references_);
-    if (is_one_student(tops, listing.items, references_, result_.one_student)) {
+    if (one_student || is_one_student(tops, listing.items, references_, result_.one_student)) {
       StudentFiles& student = result_.students.emplace_back();
       student.name = name_of_class(folder_);
       for (const ClassItem& item : listing.items) {
@@ -297,9 +307,10 @@ class ClassBuilder {
       } else if (const auto name = gradescope.find(top.name); name != gradescope.end()) {
         student = {name->second, top.name};
       } else if (top.archive) {
-        // gina.zip and the folder gina belong to one student.
-        student.name = is_archive_name(top.name) ? std::string(without_archive_ending(top.name))
-                                                 : top.name.substr(0, top.name.find('.'));
+        // gina.zip, gina.tar.xz and the folder gina belong to one student.
+        std::string_view name = top.name;
+        name.remove_suffix(is_archive_name(name) ? 0 : ending_of(name).size());
+        student.name = without_archive_ending(name);
         key = "/" + student.name;
       } else if (!top.folder) {
         for (const ClassItem* item : top.items) {
@@ -408,8 +419,9 @@ std::string name_of_class(const std::string& folder) {
   return is_folder(folder) ? name : std::string(without_archive_ending(name));
 }
 
-ClassFiles find_class_files(const std::string& folder, const std::vector<FoundFile>& references) {
-  return ClassBuilder(folder, references).build();
+ClassFiles find_class_files(const std::string& folder, const std::vector<FoundFile>& references,
+                            const std::vector<std::string>& other_folders, bool one_student) {
+  return ClassBuilder(folder, references).build(other_folders, one_student);
 }
 
 }  // namespace scenefile

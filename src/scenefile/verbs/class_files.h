@@ -33,13 +33,16 @@ struct ClassFiles {
 ///   (hw2_jsmith_attempt_2024-03-01-12-00-00_ball.png), Moodle (Ann
 ///   Lee_123_assignsubmission_file_). submission_metadata.yml names those of Gradescope's folders
 ///   (submission_123). Of several attempts, the last one counts.
-/// - or a single one, if the folder has nothing but folders of a layout (is_layout_folder()), or if
-///   at least as many pictures directly in it have the name of a reference as in its folders.
+/// - or a single one, if all its folders with pictures are those of a layout (is_layout_folder()),
+///   if at least as many pictures directly in it have the name of a reference as in its folders, or
+///   if `one_student` says so.
 ///
 /// Archives are read as folders, also in folders and in archives. Junk (is_junk_name()) is skipped.
-/// Everything else that is not a picture of a student, and what is hidden, is ignored with a
-/// reason.
-ClassFiles find_class_files(const std::string& folder, const std::vector<FoundFile>& references);
+/// Everything else that is not a picture of a student, what is hidden, and what is or contains one
+/// of the `other_folders`, is ignored with a reason.
+ClassFiles find_class_files(const std::string& folder, const std::vector<FoundFile>& references,
+                            const std::vector<std::string>& other_folders = {},
+                            bool one_student = false);
 
 /// The name of the folder, or of the archive without its ending.
 std::string name_of_class(const std::string& folder);

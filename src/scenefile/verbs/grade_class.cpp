@@ -93,7 +93,10 @@ struct ClassGrader::State {
   Result<void> find_pictures() {
     notes_ = references_.notes;
     note_missing_scenes();
-    ClassFiles found = find_class_files(request_.handed_in, references_.files);
+    std::vector<std::string> others = request_.results;
+    others.insert(others.end(), {request_.references, request_.scenes});
+    ClassFiles found =
+        find_class_files(request_.handed_in, references_.files, others, request_.one_student);
     ignored_ = std::move(found.ignored);
     for (const std::string& path : found.paths) {
       references_.inputs.push_back(input_file("submitted file", path));

@@ -31,6 +31,9 @@ struct GradeRequest {
   /// the course (grade_paths.h); thresholds are not used.
   std::optional<RenderOptions> path = std::nullopt;
   double seconds = truth_seconds;  ///< mode path: processor time for each truth
+  bool one_student = false;        ///< whatever `handed_in` looks like
+  /// Folders for results. In `handed_in` they are no students, like `references` and `scenes`.
+  std::vector<std::string> results{};
 };
 
 /// Classes with more pictures get smaller thumbnails, which callers should write to files instead

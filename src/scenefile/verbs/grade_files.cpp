@@ -1,5 +1,6 @@
 #include "scenefile/verbs/grade_files.h"
 
+#include "scenefile/asset/image_file.h"
 #include "scenefile/base/ascii.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/archive.h"
@@ -12,23 +13,30 @@ namespace scenefile {
 
 namespace {
 
-// Whether the character at `i` is a letter or a digit of ASCII. Not a letter with an accent, which
-// may be written as one character, or as two, where the second is a combining one (U+0300 to
+// The bytes of the letter or digit at `i`; 0: there is none. Not a Latin letter with an accent,
+// which may be written as one character, or as two, where the second is a combining one (U+0300 to
 // U+036F): file systems use both forms.
-bool is_plain(std::string_view name, std::size_t i) {
-  const char c = lower(name[i]);
-  const std::string_view next = name.substr(i + 1, 2);
-  const bool accented = next >= "\xCC\x80" && next <= "\xCD\xAF";
-  return (is_digit(c) || (c >= 'a' && c <= 'z')) && !accented;
+std::size_t letter_at(std::string_view name, std::size_t i) {
+  const CodePoint c = first_code_point(name.substr(i));
+  if (c.value < 0x80) {
+    const char32_t next = first_code_point(name.substr(i + 1)).value;
+    const bool accented = next >= 0x300 && next <= 0x36F;
+    const char letter = lower(name[i]);
+    return (is_digit(letter) || (letter >= 'a' && letter <= 'z')) && !accented ? 1 : 0;
+  }
+  // Greek and all that follows, except Latin letters with accents, and punctuation.
+  const bool letter = c.value >= 0x370 && (c.value < 0x1E00 || c.value > 0x1EFF) &&
+                      (c.value < 0x2000 || c.value > 0x303F);
+  return letter ? c.bytes : 0;
 }
 
-// Only letters and digits, in lower case.
+// Only letters and digits, those of ASCII in lower case.
 std::string plain(std::string_view name) {
   std::string result;
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    if (is_plain(name, i)) {
-      result += lower(name[i]);
-    }
+  for (std::size_t i = 0; i < name.size();) {
+    const std::size_t bytes = letter_at(name, i);
+    result += lower_case(name.substr(i, bytes));
+    i += std::max<std::size_t>(1, bytes);
   }
   return result;
 }
@@ -81,6 +89,9 @@ int name_score(const FoundFile& reference, const FoundFile& picture) {
   }
   const std::string r = plain(reference.stem);
   const std::string p = plain(picture.stem);
+  if (r.empty() || p.empty()) {
+    return 0;
+  }
   if (r == p) {
     return 7;
   }
@@ -108,15 +119,17 @@ int name_score(const FoundFile& reference, const FoundFile& picture) {
 // The stem's words: where each starts and ends.
 std::vector<std::array<std::size_t, 2>> words_of(std::string_view stem) {
   std::vector<std::array<std::size_t, 2>> words;
-  for (std::size_t i = 0; i < stem.size(); ++i) {
-    if (!is_plain(stem, i)) {
+  for (std::size_t i = 0; i < stem.size();) {
+    const std::size_t bytes = letter_at(stem, i);
+    if (bytes == 0) {
+      ++i;
       continue;
     }
-    const bool first = words.empty() || words.back()[1] != i;
-    if (first) {
+    if (words.empty() || words.back()[1] != i) {
       words.push_back({i, i});
     }
-    words.back()[1] = i + 1;
+    i += bytes;
+    words.back()[1] = i;
   }
   return words;
 }
@@ -147,8 +160,11 @@ bool contains_words(std::string_view stem, std::string_view part) {
 std::string_view without_added_word(std::string_view stem) {
   for (const std::string_view ending : endings_of_programs) {
     const std::size_t start = stem.size() - std::min(stem.size(), ending.size());
-    if (start > 1 && lower_case(stem.substr(start)) == ending &&
-        plain(stem.substr(start - 1, 1)).empty()) {
+    if (start <= 1 || lower_case(stem.substr(start)) != ending) {
+      continue;
+    }
+    if (const auto words = words_of(stem.substr(0, start));
+        words.empty() || words.back()[1] < start) {
       return stem.substr(0, start - 1);
     }
   }
@@ -318,11 +334,25 @@ std::vector<NamePair> read_name_map(std::string_view text, std::string& wrong) {
   return map;
 }
 
+std::ptrdiff_t format_rank(const FoundFile& file) {
+  std::vector<PictureFormat> formats = picture_formats();
+  std::stable_partition(formats.begin(), formats.end(), [](const PictureFormat& format) {
+    return format.name != "JPEG" && format.name != "GIF";
+  });
+  const std::string ending = ending_of(file_name(file));
+  return std::find_if(formats.begin(), formats.end(),
+                      [&](const PictureFormat& format) {
+                        return format.extensions.find(ending) != std::string_view::npos;
+                      }) -
+         formats.begin();
+}
+
 PictureMatches match_pictures(const std::vector<FoundFile>& references,
                               const std::vector<FoundFile>& pictures,
                               const std::vector<NamePair>& map) {
   struct Pair {
     int score;
+    std::ptrdiff_t format;
     std::size_t reference;
     std::size_t picture;
   };
@@ -330,11 +360,12 @@ PictureMatches match_pictures(const std::vector<FoundFile>& references,
   std::vector<std::vector<std::size_t>> several(pictures.size());
   for (std::size_t p = 0; p < pictures.size(); ++p) {
     const auto depth = static_cast<int>(pictures[p].folders.size());
+    const std::ptrdiff_t format = format_rank(pictures[p]);
     bool named = false;
     for (std::size_t r = 0; r < references.size(); ++r) {
       if (const int name = name_score(references[r], pictures[p]); name > 0) {
         const int folders = folder_score(references[r], pictures[p]);
-        pairs.push_back({100 * folders + 10 * name - depth, r, p});
+        pairs.push_back({100 * folders + 10 * name - depth, format, r, p});
         named = true;
       }
     }
@@ -343,14 +374,15 @@ PictureMatches match_pictures(const std::vector<FoundFile>& references,
       std::vector<std::size_t> fits = fitting(references, pictures[p], name);
       if (fits.size() == 1) {
         // Never better than a whole name.
-        pairs.push_back({10 * name - depth - 100, fits.front(), p});
+        pairs.push_back({10 * name - depth - 100, format, fits.front(), p});
       } else {
         several[p] = std::move(fits);
       }
     }
   }
-  std::stable_sort(pairs.begin(), pairs.end(),
-                   [](const Pair& a, const Pair& b) { return a.score > b.score; });
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+    return a.score != b.score ? a.score > b.score : a.format < b.format;
+  });
   PictureMatches matches;
   std::vector<int>& result = matches.pictures;
   result.assign(references.size(), -1);
@@ -424,7 +456,9 @@ bool is_layout_folder(std::string_view name) {
       "illuminate", "intersect", "required", "optional", "output",       "outputs", "images",
       "image",      "results",   "render",   "renders",  "lightscamera", "action",  "realtime"};
   const std::string word = meaning(name);
-  return word.empty() || std::find(words.begin(), words.end(), word) != words.end();
+  // Of the empty ones only that of student_outputs.
+  return word.empty() ? !plain(name).empty()
+                      : std::find(words.begin(), words.end(), word) != words.end();
 }
 
 bool is_in_texture_folder(const FoundFile& file) {

@@ -2,6 +2,7 @@
 // Matches the files of a class with references, for common folder layouts such as
 // student_outputs/illuminate/required/X.png and required_outputs/LIGHT/X.png.
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <string_view>
@@ -58,12 +59,16 @@ struct PictureMatches {
   std::vector<UnusedPicture> unused;
 };
 
+/// Of files with the same name, the one with the lowest rank counts: PNG first, JPEG and GIF, which
+/// change colors, last.
+std::ptrdiff_t format_rank(const FoundFile& file);
+
 /// Finds the picture of each reference. Names match if they are equal, or after adding _gen,
 /// _output or _out, or with the folder as a prefix (FOLDER_X). Otherwise, a picture fits the only
 /// reference whose name ends with its name (light_2 for test_light_2), or the longest reference
 /// name that its name contains (hw2_light_2_final), in whole words. If several references or
-/// pictures have the same name, their folders decide, then the order of the pictures. Pairs in
-/// `map` take precedence.
+/// pictures have the same name, their folders decide, then format_rank(), then the order of the
+/// pictures. Pairs in `map` take precedence.
 PictureMatches match_pictures(const std::vector<FoundFile>& references,
                               const std::vector<FoundFile>& pictures,
                               const std::vector<NamePair>& map = {});

@@ -237,6 +237,7 @@ class ReferenceLoader {
     if (!text) {
       return text.error();
     }
+    found_.fingerprint.add(*text);
     std::string wrong;
     table_ = read_realtime_table(*text, wrong);
     if (!wrong.empty()) {
@@ -268,18 +269,8 @@ class ReferenceLoader {
     }
   }
 
-  // The same reference in several formats counts once, in the first of picture_formats().
+  // The same reference in several formats counts once, in the best one.
   void drop_copies() {
-    const std::vector<PictureFormat> formats = picture_formats();
-    const auto rank = [&](const FoundFile& file) {
-      return std::find_if(formats.begin(), formats.end(),
-                          [&](const PictureFormat& format) {
-                            const std::string ending =
-                                lower_case(file.path.substr(file.path.rfind('.')));
-                            return format.extensions.find(ending) != std::string_view::npos;
-                          }) -
-             formats.begin();
-    };
     std::vector<FoundFile> files;
     for (FoundFile& file : found_.files) {
       const auto same = std::find_if(files.begin(), files.end(), [&](const FoundFile& other) {
@@ -287,7 +278,7 @@ class ReferenceLoader {
       });
       if (same == files.end()) {
         files.push_back(std::move(file));
-      } else if (rank(file) < rank(*same)) {
+      } else if (format_rank(file) < format_rank(*same)) {
         *same = std::move(file);
       }
     }

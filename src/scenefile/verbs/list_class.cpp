@@ -12,7 +12,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace scenefile {
@@ -24,6 +26,8 @@ constexpr std::size_t max_class_folders = 16;
 constexpr std::size_t max_archives = 3;  // in one another
 constexpr std::string_view gradescope_table = "submission_metadata.yml";
 constexpr std::string_view hidden = "hidden: its name begins with a dot";
+constexpr std::string_view no_student =
+    "it is, or contains, the folder of references, scenes or results";
 
 bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -39,6 +43,36 @@ std::string why_unread(std::string_view name) {
     return "pictures of this kind are not read: use .png";
   }
   return std::string(not_a_picture);
+}
+
+// Device and inode.
+using FolderIdentity = std::pair<std::uint64_t, std::uint64_t>;
+
+FolderIdentity identity_of(const std::string& folder) {
+  const FileStamp stamp = stamp_of(folder);
+  return {stamp.device, stamp.inode};
+}
+
+// The identities of the folders, as far as they exist, and of all that contain them.
+std::set<FolderIdentity> identities_of(const std::vector<std::string>& folders) {
+  std::set<FolderIdentity> identities;
+  for (const std::string& folder : folders) {
+    for (std::string path = real_folder_of(folder + "/file"); path != folder_of(path);
+         path = folder_of(path)) {
+      identities.insert(identity_of(path));
+    }
+  }
+  identities.erase(FolderIdentity());
+  return identities;
+}
+
+// Adds the names of a path in an archive.
+void add_names(std::string_view path, std::vector<std::string>& names) {
+  while (!path.empty()) {
+    const std::size_t slash = std::min(path.find('/'), path.size());
+    names.emplace_back(path.substr(0, slash));
+    path.remove_prefix(std::min(slash + 1, path.size()));
+  }
 }
 
 // What an archive in another one may use.
@@ -63,7 +97,8 @@ std::string visit_inner(const std::string& bytes, ArchiveBudget& outer, const Vi
 // Lists folders and archives.
 class Lister {
  public:
-  explicit Lister(ClassListing& listing) : listing_(listing) {}
+  Lister(ClassListing& listing, const std::vector<std::string>& other_folders)
+      : listing_(listing), others_(identities_of(other_folders)) {}
 
   void add_class(const std::string& folder) {
     if (!is_folder(folder)) {
@@ -81,8 +116,10 @@ class Lister {
       left_ = max_class_files;
       if (is_hidden_name(entry.name)) {
         add(file_of(entry.path, {}), std::string(hidden));
+      } else if (entry.folder && others_.contains(identity_of(entry.path))) {
+        add(file_of(entry.path, {}), std::string(no_student));
       } else if (entry.folder) {
-        listing_.folders.push_back(entry.name);
+        listing_.folders.push_back({entry.name});
         add_folder(entry.path, {entry.name});
       } else {
         add_file(entry, {});
@@ -164,20 +201,28 @@ class Lister {
                           ArchiveBudget budget) {
     budget.entries = std::min<std::uint64_t>(budget.entries, left_);
     const std::size_t before = listing_.items.size();
-    std::string why =
-        visit_archive(archive.path, budget, [&](const ArchiveEntry& entry, const ReadEntry& read) {
+    std::string why = visit_archive(
+        archive.path, budget,
+        [&](const ArchiveEntry& entry, const ReadEntry& read) {
           add_entry(archive, folders, entry, read, budget);
+        },
+        [&](std::string_view path) {
+          std::vector<std::string> inside = folders;
+          add_names(path, inside);
+          if (listing_.folders.empty() || listing_.folders.back() != inside) {
+            listing_.folders.push_back(std::move(inside));
+          }
         });
     return why.empty() && listing_.items.size() == before ? "it contains no files" : why;
   }
 
   void add_entry(const FoundFile& archive, std::vector<std::string> folders,
                  const ArchiveEntry& entry, const ReadEntry& read, ArchiveBudget& budget) {
-    std::string_view path = entry.path;
-    for (std::size_t slash = path.find('/'); slash != std::string_view::npos;
-         slash = path.find('/')) {
-      folders.emplace_back(path.substr(0, slash));
-      path.remove_prefix(slash + 1);
+    add_names(entry.path, folders);
+    std::string path;
+    if (!entry.path.empty()) {
+      path = std::move(folders.back());
+      folders.pop_back();
     }
     std::vector<std::string> entries = archive.entries;
     entries.push_back(entry.path);
@@ -222,6 +267,7 @@ class Lister {
   }
 
   ClassListing& listing_;
+  std::set<FolderIdentity> others_;
   std::size_t left_ = max_class_files;
 };
 
@@ -254,9 +300,9 @@ void read_entries(const std::vector<FoundFile>& files, const std::vector<std::si
 
 }  // namespace
 
-ClassListing list_class(const std::string& folder) {
+ClassListing list_class(const std::string& folder, const std::vector<std::string>& other_folders) {
   ClassListing listing;
-  Lister(listing).add_class(folder);
+  Lister(listing, other_folders).add_class(folder);
   return listing;
 }
 

@@ -20,13 +20,15 @@ struct ClassItem {
 
 struct ClassListing {
   std::vector<ClassItem> items;
-  std::vector<std::string> folders;  ///< directly in the class; possibly empty ones
-  std::string gradescope;            ///< the contents of its table
+  /// Folders that may be empty: directly in the class, or in an archive, below the class.
+  std::vector<std::vector<std::string>> folders;
+  std::string gradescope;  ///< the contents of its table
   std::string gradescope_path;
 };
 
-/// Lists a folder or an archive.
-ClassListing list_class(const std::string& folder);
+/// Lists a folder or an archive. What is directly in the folder and is, or contains, one of the
+/// `other_folders` is left out with a reason.
+ClassListing list_class(const std::string& folder, const std::vector<std::string>& other_folders);
 
 /// The archives that are not read.
 bool is_other_archive(std::string_view name);

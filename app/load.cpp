@@ -67,6 +67,10 @@ LoadedScene load_for_tracing(Options& options, Context& context) {
                             other));
     }
   }
+  if (options.render.mode == Mode::path && options.render.denoise && options.render.samples == 1 &&
+      !options.quiet && !options.json) {
+    say("note: the noise of one sample per pixel is unknown, so --denoise changes nothing\n");
+  }
   check_picture(scene, options.render);
   return scene;
 }

@@ -353,6 +353,47 @@ TEST_F(Judge, ReadsToneMappedPicturesThatAreWrong) {
   EXPECT_EQ(names(direct.causes), "depth ");
 }
 
+TEST_F(Judge, ReadsOtherGammasOfToneCurves) {
+  DecodedPicture picture = drawn();
+  for (float& value : picture.linear.rgb) {
+    value /= 1 + value;
+  }
+  const PathVerdict square = judge_path(truth, shown(picture, 2));
+  EXPECT_TRUE(square.right);
+  EXPECT_EQ(square.curve, "the tone curve v / (1 + v) and gamma 2");
+  for (float& value : picture.linear.rgb) {
+    value = value <= 0.0031308f ? 12.92f * value
+                                : 1.055f * static_cast<float>(std::pow(value, 1 / 2.4)) - 0.055f;
+  }
+  const PathVerdict srgb = judge_path(truth, shown(picture, 1));
+  EXPECT_TRUE(srgb.right);
+  EXPECT_EQ(srgb.curve, "the tone curve v / (1 + v) and sRGB");
+}
+
+// Of a tone curve that it does not know, nothing is claimed about light.
+TEST_F(Judge, ClaimsNothingByAnUnknownToneCurve) {
+  const auto by_exposure = [](double v) { return 1 - std::exp(-2 * v); };
+  const auto by_film = [](double v) {  // Narkowicz, "ACES Filmic Tone Mapping Curve", 2016
+    return std::min(1.0, v * (2.51 * v + 0.03) / (v * (2.43 * v + 0.59) + 0.14));
+  };
+  for (const bool film : {false, true}) {
+    SCOPED_TRACE(film);
+    DecodedPicture picture = drawn();
+    for (float& value : picture.linear.rgb) {
+      value = static_cast<float>(film ? by_film(value) : by_exposure(value));
+    }
+    const PathVerdict verdict = judge_path(truth, shown(picture, 2.2));
+    EXPECT_EQ(names(verdict.causes) + names(verdict.partial) + names(verdict.conventions), "");
+    EXPECT_EQ(names(verdict.notes), "tone-curve ");
+    EXPECT_TRUE(verdict.places.empty());
+  }
+  // By a known one, claims stay.
+  options.max_depth = 1;
+  const PathVerdict two = judge_path(truth, shown(with(Change::falloff_distance, drawn())));
+  EXPECT_EQ(names(two.notes), "");
+  EXPECT_FALSE(two.partial.empty() && two.causes.empty());
+}
+
 TEST_F(Judge, FindsOtherRowsInToneMappedPictures) {
   DecodedPicture picture = shown(drawn());
   for (int y = 0; y < 32; ++y) {

@@ -38,7 +38,7 @@ Facing seen_from(double degrees, const dvec3& normal = dvec3(0, 0, 1)) {
   const double a = glm::radians(degrees);
   const dvec3 side = std::abs(normal.x) < 0.9 ? glm::normalize(glm::cross(normal, dvec3(1, 0, 0)))
                                               : dvec3(0, 1, 0);
-  return facing_of(normal, normal, std::cos(a) * normal + std::sin(a) * side);
+  return facing_of(normal, normal, normal, std::cos(a) * normal + std::sin(a) * side);
 }
 
 // The sphere of directions in cells of equal solid angle.
@@ -161,8 +161,8 @@ TEST(PathBsdf, IsReciprocal) {
       const dvec3 a = direction();
       const dvec3 b = direction();
       const dvec3 up(0, 0, 1);
-      const double there = evaluate(bsdf, facing_of(up, up, a), b).bsdf_cosine.x / b.z;
-      const double back = evaluate(bsdf, facing_of(up, up, b), a).bsdf_cosine.x / a.z;
+      const double there = evaluate(bsdf, facing_of(up, up, up, a), b).bsdf_cosine.x / b.z;
+      const double back = evaluate(bsdf, facing_of(up, up, up, b), a).bsdf_cosine.x / a.z;
       ASSERT_NEAR(there, back, 1e-9 * (1 + there)) << name;
     }
   }
@@ -175,7 +175,7 @@ TEST(PathBsdf, NothingIsReflectedThroughTheSurface) {
         << name;
     // An interpolated normal that leans toward the light does not let it through either.
     const dvec3 leaning = glm::normalize(dvec3(0.8, 0, 0.6));
-    const Facing bent = facing_of(leaning, {0, 0, 1}, glm::normalize(dvec3(0.5, 0, 0.5)));
+    const Facing bent = facing_of(leaning, leaning, {0, 0, 1}, glm::normalize(dvec3(0.5, 0, 0.5)));
     EXPECT_EQ(evaluate(bsdf, bent, glm::normalize(dvec3(0.9, 0, -0.2))).bsdf_cosine, Color(0))
         << name;
   }
@@ -230,10 +230,10 @@ TEST(PathBsdf, GlassReflectsByFresnelAndRefractsBySnell) {
 
 TEST(PathBsdf, FilesNormalsDecideWhatIsInside) {
   const dvec3 up(0, 0, 1);
-  EXPECT_TRUE(facing_of(up, up, up).outside);
-  EXPECT_FALSE(facing_of(up, up, -up).outside);
-  EXPECT_TRUE(facing_of(up, -up, up).outside);  // wound the other way
-  const Facing below = facing_of(up, up, -up);
+  EXPECT_TRUE(facing_of(up, up, up, up).outside);
+  EXPECT_FALSE(facing_of(up, up, up, -up).outside);
+  EXPECT_TRUE(facing_of(up, up, -up, up).outside);  // wound the other way
+  const Facing below = facing_of(up, up, up, -up);
   EXPECT_EQ(below.normal, -up);
   EXPECT_EQ(below.geometric, -up);
 }

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -137,6 +138,52 @@ TEST(PathExplain, ShowsTheSampleNearestToTheCenterByDefault) {
     EXPECT_LE(off(pixel.samples[pixel.shown]), off(s));
   }
   EXPECT_GT(pixel.standard_error, 0);
+}
+
+// Of a clear pane, a darker one and what blocks the light.
+TEST(PathExplain, NamesTheDarkestOccluder) {
+  Room room;
+  Model floor;
+  floor.quad({-5, 0, 5}, {10, 0, 0}, {0, 0, -10}, floor.material(diffuse(glm::vec3(0.5f))));
+  room.add(floor);
+  room.light(LightType::point, {0, 5, 0}, glm::vec3(1));
+  room.look({0, 0.3, 2}, {0, 0, 0}, 1);
+  const auto occluder = [&](float transparent, const glm::vec3& at) {
+    RenderMaterial m;
+    m.transparent = glm::vec3(transparent);
+    room.add(Shape::cube, translate(at), room.material(m));
+    PathPixel pixel;
+    EXPECT_EQ(explain_path(room.scene, room.assets, path_options(1, 1, 1), 0, 0, {}, pixel),
+              RenderStatus::complete);
+    return pixel.occluders.at(0);
+  };
+  EXPECT_FALSE(occluder(1, {0, 1, 0}));  // all light arrives
+  const std::optional<ObjectRef> dark = occluder(0.25f, {0, 2.1f, 0});
+  ASSERT_TRUE(dark);
+  EXPECT_EQ(dark->source, 2);
+  EXPECT_EQ(occluder(0.5f, {0, 3.2f, 0})->source, 2);
+  EXPECT_EQ(occluder(0, {0, 4.3f, 0})->source, 4);
+}
+
+// Seen from outside, wherever the bump map turns the normal.
+TEST(PathExplain, BumpMapsDoNotTurnGlassInsideOut) {
+  Room room;
+  RenderMaterial m;
+  m.diffuse = glm::vec3(0);
+  m.transparent = glm::vec3(1);
+  m.ior = 1.5f;
+  m.bump_map.file = room.texture(2, 2, {0, 255, 255, 0});
+  m.bump_map.repeat_u = m.bump_map.repeat_v = 8;
+  room.add(Shape::sphere, {}, room.material(m));
+  room.look({0, 0, 2}, {0, 0, 0}, 30);
+  for (int i = 0; i < 64; ++i) {
+    PathPixel pixel;
+    ASSERT_EQ(explain_path(room.scene, room.assets, path_options(8, 8, 1), i % 8, i / 8, {}, pixel),
+              RenderStatus::complete);
+    if (!pixel.path.vertices.empty()) {
+      EXPECT_TRUE(pixel.path.vertices[0].point.facing.outside) << i;
+    }
+  }
 }
 
 TEST(PathExplain, PathsThatMissAreBlack) {

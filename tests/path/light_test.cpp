@@ -284,7 +284,6 @@ TEST(PathLight, CoincidentFacesDoNotDarken) {
   expect_same_means(single, estimate(twice, options), 1);
 }
 
-// A lamp made of two faces at the same place shines to both sides, for paths and for light samples.
 // A lamp in the plane of the ceiling, whichever of the two comes first, shines like one just below.
 // Where it is hidden, the ceiling also reflects light there.
 TEST(PathLight, LampsInThePlaneOfOtherFacesShine) {
@@ -312,6 +311,104 @@ TEST(PathLight, LampsInThePlaneOfOtherFacesShine) {
   }
 }
 
+// Lamps at the same place, however they are cut into triangles, shine like one of them, for paths
+// and for light samples.
+TEST(PathLight, LampsAtTheSamePlaceShineOnce) {
+  enum class Second { none, turned_triangles, other_diagonal, other_file, other_place };
+  const auto mean = [](Second second, int light_samples, bool mis) {
+    Room room;
+    Model model;
+    model.box({-1, 0, -1}, {1, 2, 1}, true, model.material(diffuse(glm::vec3(0.6f))));
+    room.add(model);
+    Model lamp;
+    const std::uint32_t glowing = lamp.material(diffuse(glm::vec3(0), glm::vec3(2)));
+    const glm::vec3 corner{-0.5f, 1.9f, -0.5f};
+    const glm::vec3 u{1, 0, 0};
+    const glm::vec3 v{0, 0, 1};
+    lamp.quad(corner, u, v, glowing);
+    if (second == Second::turned_triangles) {
+      for (int i = 0; i < 2; ++i) {
+        const auto [a, b, c] = lamp.mesh.triangles[i];
+        lamp.mesh.triangles.push_back({b, c, a});
+        lamp.materials.of_triangle.push_back(glowing);
+      }
+    }
+    if (second == Second::other_diagonal) {
+      lamp.quad(corner + u, v, -u, glowing);
+    }
+    room.add(lamp);
+    if (second == Second::other_file) {
+      room.add(lamp);
+    }
+    if (second == Second::other_place) {  // the group of a template
+      room.scene.groups.push_back(room.scene.groups[0]);
+      room.scene.groups[1].instances.push_back(room.instance(0, translate({0, 0, 0})));
+      room.scene.root = 1;
+    }
+    room.look({0, 1.2, 0.95}, {0, 0, -0.3}, 60);
+    RenderOptions options = path_options(8, 8, light_samples == 0 ? 512 : 128);
+    options.max_depth = 2;
+    options.light_samples = light_samples;
+    options.mis = mis;
+    return mean_of(draw(room, options).image).x;
+  };
+  const double one = mean(Second::none, 1, true);
+  for (const Second second : {Second::turned_triangles, Second::other_diagonal, Second::other_file,
+                              Second::other_place}) {
+    EXPECT_NEAR(mean(second, 0, true), one, 0.06 * one) << static_cast<int>(second);
+    EXPECT_NEAR(mean(second, 1, true), one, 0.06 * one) << static_cast<int>(second);
+    EXPECT_NEAR(mean(second, 1, false), one, 0.06 * one) << static_cast<int>(second);
+  }
+}
+
+// Two lamps at the same place that face opposite ways, or the back of another face at the lamp.
+TEST(PathLight, LampsInFrontOfBacksAreSeen) {
+  enum class Back { other_diagonal, other_file, mirrored, dark };
+  for (const Back back : {Back::other_diagonal, Back::other_file, Back::mirrored, Back::dark}) {
+    Room room;
+    Model walls;
+    walls.box(glm::vec3(-1), glm::vec3(1), true, walls.material(diffuse(glm::vec3(0.6f))));
+    room.add(walls);
+    Model lamp;
+    Model other;
+    const std::uint32_t glowing = lamp.material(diffuse(glm::vec3(0), glm::vec3(2)));
+    const glm::vec3 corner{-0.5f, 0, -0.5f};
+    lamp.quad(corner, {1, 0, 0}, {0, 0, 1}, glowing);  // shines downward
+    if (back == Back::other_diagonal) {
+      lamp.quad({-0.5f, 0, 0.5f}, {1, 0, 0}, {0, 0, -1}, glowing);
+    }
+    room.add(lamp);
+    if (back == Back::mirrored) {
+      room.add(lamp, scale({1, -1, 1}));
+    }
+    if (back == Back::other_file || back == Back::dark) {
+      other.quad(corner, {0, 0, 1}, {1, 0, 0},
+                 other.material(diffuse(glm::vec3(0.5f), glm::vec3(back == Back::dark ? 0 : 2))));
+      room.add(other);
+    }
+    RenderOptions options = path_options(8, 8, 1);
+    options.max_depth = 1;
+    for (const float side : {-1.0f, 1.0f}) {
+      SCOPED_TRACE(static_cast<int>(back));
+      const bool shines = back != Back::dark || side < 0;
+      options.samples = 16;
+      options.light_samples = 1;
+      room.look({0.1, 0.9 * side, 0.05}, {0, 0, 0}, 20);
+      const Image seen = draw(room, options).image;
+      for (const float value : seen.rgb) {
+        ASSERT_TRUE(!shines || value == 2) << value;
+      }
+      room.look({0, 0.1 * side, 0.9}, {0, 1.0 * side, -0.3}, 40);
+      options.samples = 512;
+      const double sampled = mean_of(draw(room, options).image).x;
+      options.light_samples = 0;
+      EXPECT_NEAR(mean_of(draw(room, options).image).x, sampled, 0.06 * sampled);
+      EXPECT_EQ(sampled > 0, shines);
+    }
+  }
+}
+
+// A lamp made of two faces at the same place shines to both sides, for paths and for light samples.
 TEST(PathLight, FacesBackToBackShineToBothSides) {
   for (const bool below : {false, true}) {
     for (const int light_samples : {0, 1}) {
@@ -461,6 +558,30 @@ TEST(PathCourse, LightFallsOffWithTheDistance) {
     ASSERT_GT(physics, 0);
     EXPECT_NEAR(mean_of(draw(room, options).image).x / physics, d / 2, 0.01 * d);
   }
+}
+
+// A mesh with materials of faces, whose own material is that of the glass between it and the light.
+TEST(PathLight, GlassDimsTheLightWhateverUsesItsMaterial) {
+  Room room;
+  RenderMaterial clear;
+  clear.diffuse = glm::vec3(0);
+  clear.transparent = glm::vec3(0.5f);
+  clear.ior = 1;
+  const std::uint32_t shared = room.material(clear);
+  Model floor;
+  floor.quad({-5, 0, 5}, {10, 0, 0}, {0, 0, -10}, floor.material(diffuse(glm::vec3(0.5f))));
+  room.add(floor);
+  room.scene.groups.back().primitives.back().material = shared;
+  room.light(LightType::point, {0, 3, 0}, glm::vec3(1));
+  room.look({0, 0.5, 2}, {0, 0, 0}, 1);
+  RenderOptions options = path_options(1, 1, 4);
+  options.direct_only = true;
+  const double open = mean_of(draw(room, options).image).x;
+  room.add(Shape::cube, translate({0, 2, 0}), shared);
+  EXPECT_NEAR(mean_of(draw(room, options).image).x, open / 2, 1e-6);
+  room.scene.groups.back().primitives.push_back(room.scene.groups.back().primitives.front());
+  room.scene.groups.back().primitives.back().group_from_object = translate({0, 1, 0});
+  EXPECT_EQ(mean_of(draw(room, options).image).x, 0);  // a mesh with materials blocks all light
 }
 
 TEST(PathLight, MapsMultiplyColors) {

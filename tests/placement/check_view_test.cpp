@@ -202,6 +202,18 @@ TEST(CheckView, MaterialsThatShowNoLight) {
   EXPECT_THAT(codes(judge(b)), IsEmpty());
 }
 
+TEST(CheckView, MaterialsOfFacesShowLight) {
+  Ball b;
+  b.add_ball({0, 0, 0});
+  b.scene.global.diffuse = 0;
+  FaceMaterial face;
+  b.assets.mesh_materials.push_back({{face}, {0}});
+  b.assets.mesh_materials[0].materials[0].diffuse = glm::vec3(0);
+  EXPECT_THAT(codes(judge(b)), ElementsAre("scene.unlit"));
+  b.assets.mesh_materials[0].materials[0].diffuse = glm::vec3(0.5f);
+  EXPECT_THAT(codes(judge(b)), IsEmpty());
+}
+
 TEST(CheckView, DistinguishesMaterialsFromCoefficientsWithoutLight) {
   Ball b;
   b.add_ball({0, 0, 0});

@@ -544,6 +544,19 @@ void explain_file(const TruthBlocks& back, const DecodedPicture& mine,
   }
 }
 
+// Whether some curve explains values of 8 bits as well as what was found in part, or far better
+// than a cause.
+bool has_other_curve(const TruthBlocks& back, const DecodedPicture& mine, const Reading& reading,
+                     const PathVerdict& verdict) {
+  if (mine.is_linear() || reading.seen.tested < fewest_blocks) {
+    return false;
+  }
+  const std::optional<Reading> other = read_by_any_curve(back, mine, reading);
+  const double left = other ? other->right.chi2 / other->values() : 0;
+  const double most = verdict.chi2_per_value * (verdict.causes.empty() ? 1.3 : 0.3);
+  return other && left < 3 && left < most;
+}
+
 constexpr const char* growth =
     "light grows from bounce to bounce, as without the cosine, 1 / pi or the density of "
     "directions, or with a wrong probability of going on";
@@ -696,7 +709,21 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
       }
     }
   }
-  if (!verdict.causes.empty()) {
+  const bool claims = !verdict.causes.empty() || !verdict.partial.empty();
+  const bool other_curve =
+      (claims || unexplained()) && has_other_curve(back, mine, reading, verdict);
+  if (other_curve) {
+    verdict.causes.clear();
+    verdict.partial.clear();
+    verdict.conventions.clear();
+    verdict.places.clear();
+    verdict.energy_mine.clear();
+    verdict.notes.push_back(
+        {Cause::gamma, "tone-curve",
+         "the picture fits the truth with a tone curve that is none of those that are known, which "
+         "may also hide a mistake; a linear picture (PFM or EXR) would tell",
+         "", 0});
+  } else if (!verdict.causes.empty()) {
     verdict.partial.clear();
   } else if (verdict.partial.empty() && unexplained()) {
     name_places(reading, chi2, verdict);
@@ -722,7 +749,8 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
   };
   const double right = -shift(back.gradient_x);
   const double down = -shift(back.gradient_y);
-  if (verdict.causes.empty() && verdict.partial.empty() && (right != 0 || down != 0)) {
+  if (verdict.causes.empty() && verdict.partial.empty() && !other_curve &&
+      (right != 0 || down != 0)) {
     verdict.conventions.push_back(
         {Cause::half_pixel_shift, "pixel-corners",
          "the picture is shifted by a part of a pixel, as if rays went through the corners of "

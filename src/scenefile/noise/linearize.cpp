@@ -18,6 +18,24 @@ double uncompressed(double shown, double white) {
   return square / 2 * (-b + std::sqrt(b * b + 4 * shown / square));
 }
 
+Color without_srgb(const Color& v) {
+  Color result;
+  for (int c = 0; c < 3; ++c) {
+    result[c] = v[c] <= 0.04045 ? v[c] / 12.92 : std::pow((v[c] + 0.055) / 1.055, 2.4);
+  }
+  return result;
+}
+
+Color without_gamma(const Color& v, double exponent) {
+  return exponent == srgb_gamma ? without_srgb(v) : glm::pow(v, Color(exponent));
+}
+
+std::string gamma_words(double exponent) {
+  return exponent == srgb_gamma ? "sRGB"
+         : exponent == 1        ? "no gamma"
+                                : fmt::format("gamma {:.3g}", exponent);
+}
+
 Color undone(const Color& v, const ScreenCurve& screen) {
   switch (screen.curve) {
     case ToneCurve::course:
@@ -27,22 +45,17 @@ Color undone(const Color& v, const ScreenCurve& screen) {
       return shown > 0 ? square * (uncompressed(shown, screen.parameter) / shown) : Color(0);
     }
     case ToneCurve::reinhard: {
-      const Color power = glm::pow(v, Color(2.2));
+      const Color power = without_gamma(v, screen.parameter);
       return power / glm::max(Color(1) - power, Color(1e-3));
     }
     case ToneCurve::luminance: {
-      const Color power = glm::pow(v, Color(2.2));
+      const Color power = without_gamma(v, screen.parameter);
       return power / std::max(1 - luminance(power), 1e-3);
     }
     case ToneCurve::power:
       return glm::pow(v, Color(screen.parameter));
-    case ToneCurve::srgb: {
-      Color result;
-      for (int c = 0; c < 3; ++c) {
-        result[c] = v[c] <= 0.04045 ? v[c] / 12.92 : std::pow((v[c] + 0.055) / 1.055, 2.4);
-      }
-      return result;
-    }
+    case ToneCurve::srgb:
+      return without_srgb(v);
     case ToneCurve::linear:
     case ToneCurve::clamp:
       break;
@@ -61,9 +74,9 @@ std::string ScreenCurve::words() const {
     case ToneCurve::compressed:
       return "the tone curve of the course without gamma";
     case ToneCurve::reinhard:
-      return "the tone curve v / (1 + v) and gamma 2.2";
+      return "the tone curve v / (1 + v) and " + gamma_words(parameter);
     case ToneCurve::luminance:
-      return "the tone curve v / (1 + luminance) and gamma 2.2";
+      return "the tone curve v / (1 + luminance) and " + gamma_words(parameter);
     case ToneCurve::power:
       return fmt::format("gamma {:.3g}", parameter);
     case ToneCurve::srgb:

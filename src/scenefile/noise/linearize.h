@@ -10,9 +10,8 @@
 namespace scenefile {
 
 /// How a program made 8-bit values. `course`: docs/path.md; `compressed`: the same without gamma;
-/// `reinhard`: v / (1 + v) of each value,
-/// and `luminance`: v / (1 + L), then to the power 1 / 2.2; the others clamp to [0, 1] before the
-/// power or curve.
+/// `reinhard`: v / (1 + v) of each value, and `luminance`: v / (1 + L), then a gamma; the others
+/// clamp to [0, 1] before the power or curve.
 enum class ToneCurve : std::uint8_t {
   linear,
   course,
@@ -24,8 +23,11 @@ enum class ToneCurve : std::uint8_t {
   clamp
 };
 
-/// A curve and its parameter: of `course` and `compressed` the luminance that becomes 1, of `power`
-/// the exponent.
+/// ScreenCurve::parameter of `reinhard` and `luminance` for sRGB instead of a power.
+inline constexpr double srgb_gamma = 0;
+
+/// A curve and its parameter: of `course` and `compressed` the luminance that becomes 1, of
+/// `reinhard`, `luminance` and `power` the exponent.
 struct ScreenCurve {
   ToneCurve curve = ToneCurve::linear;
   double parameter = 1;

@@ -14,6 +14,8 @@ namespace {
 // Of the difference, what a known mistake may leave without its own noise.
 constexpr double most_plain = 0.4;
 
+constexpr std::size_t levels = 256;  // of 8-bit values
+
 // The median factor of blocks, 1 if there is none.
 double typical_factor(const TruthBlocks& back, const LinearPicture& picture) {
   std::vector<double> ratios;
@@ -110,16 +112,17 @@ double left_of(const Reading& reading) {
 template <typename Visit>
 void for_each_curve(const TruthBlocks& back, const DecodedPicture& mine, bool any_exposure,
                     const Visit& visit) {
-  constexpr std::array others{ScreenCurve{ToneCurve::reinhard},
-                              ScreenCurve{ToneCurve::luminance},
-                              ScreenCurve{ToneCurve::srgb},
-                              ScreenCurve{ToneCurve::clamp},
-                              ScreenCurve{ToneCurve::power, 2.2},
-                              ScreenCurve{ToneCurve::power, 2},
+  constexpr std::array others{ScreenCurve{ToneCurve::srgb}, ScreenCurve{ToneCurve::clamp},
+                              ScreenCurve{ToneCurve::power, 2.2}, ScreenCurve{ToneCurve::power, 2},
                               ScreenCurve{ToneCurve::power, gamma_twice}};
   for (const ToneCurve curve : {ToneCurve::course, ToneCurve::compressed}) {
     const double white = white_by_lamps(back, mine, curve).value_or(0);
     visit({curve, white > 0 ? white : fitted_white(back, mine, curve, any_exposure)}, any_exposure);
+  }
+  for (const ToneCurve curve : {ToneCurve::reinhard, ToneCurve::luminance}) {
+    for (const double gamma : {2.2, srgb_gamma, 2.0, 1.0}) {
+      visit({curve, gamma}, any_exposure);
+    }
   }
   for (const ScreenCurve& screen : others) {
     visit(screen, any_exposure);
@@ -129,6 +132,82 @@ void for_each_curve(const TruthBlocks& back, const DecodedPicture& mine, bool an
 void sort_by_cost(std::vector<Reading>& readings) {
   std::stable_sort(readings.begin(), readings.end(),
                    [](const Reading& a, const Reading& b) { return a.cost() < b.cost(); });
+}
+
+// By 8-bit value the factor, piecewise linear, that brings the blocks of the picture nearest to the
+// truth, in all channels; empty if there is none.
+std::vector<double> curve_factors(const TruthBlocks& back, const DecodedPicture& mine,
+                                  const Reading& reading) {
+  const BlockColors& weight = reading.seen.measured.weight;
+  const auto for_each_value = [&](const auto& visit) {
+    for (std::size_t b = 0; b < weight.size(); ++b) {
+      for_each_pixel(back.truth, b, [&](int, int, std::size_t at) {
+        for (int c = 0; c < 3 && weight[b] != Color(0); ++c) {
+          visit(b, c, mine.texture.rgb[3 * at + c], reading.picture.pixels[at][c]);
+        }
+      });
+    }
+  };
+  // As many values from each knot to the next.
+  std::vector<std::uint8_t> values;
+  for_each_value([&](std::size_t, int, std::uint8_t v, double) { values.push_back(v); });
+  std::sort(values.begin(), values.end());
+  constexpr std::size_t parts = 16;
+  std::vector<double> knots;
+  for (std::size_t k = 0; k <= parts && !values.empty(); ++k) {
+    const double knot = values[k * (values.size() - 1) / parts];
+    if (knots.empty() || knot > knots.back()) {
+      knots.push_back(knot);
+    }
+  }
+  const auto hat = [&](std::size_t k, double v) {
+    const double up = k == 0 ? 1 : (v - knots[k - 1]) / (knots[k] - knots[k - 1]);
+    const double down = k + 1 == knots.size() ? 1 : (knots[k + 1] - v) / (knots[k + 1] - knots[k]);
+    return std::clamp(std::min(up, down), 0.0, 1.0);
+  };
+  std::vector<BlockColors> lights(knots.size(), back.zero);
+  for_each_value([&](std::size_t b, int c, std::uint8_t v, double light) {
+    for (std::size_t k = 0; k < knots.size(); ++k) {
+      lights[k][b][c] += hat(k, v) * light / back.pixels[b];
+    }
+  });
+  std::vector<const BlockColors*> columns;
+  for (const BlockColors& light : lights) {
+    columns.push_back(&light);
+  }
+  const BlockFit found = fit({back.all, weight}, back.zero, columns);
+  std::vector<double> factors(found.solved ? levels : 0);
+  for (std::size_t v = 0; v < factors.size(); ++v) {
+    for (std::size_t k = 0; k < knots.size(); ++k) {
+      factors[v] += found.factors[k] * hat(k, double(v));
+    }
+  }
+  return factors;
+}
+
+// The rising values that are nearest to these (isotonic regression).
+void make_rising(std::vector<double>& values) {
+  struct Run {
+    double sum = 0;
+    double count = 0;
+    double mean() const { return sum / count; }
+  };
+  std::vector<Run> runs;
+  for (const double value : values) {
+    runs.push_back({value, 1});
+    while (runs.size() > 1 && runs[runs.size() - 2].mean() > runs.back().mean()) {
+      const Run last = runs.back();
+      runs.pop_back();
+      runs.back().sum += last.sum;
+      runs.back().count += last.count;
+    }
+  }
+  std::size_t at = 0;
+  for (const Run& run : runs) {
+    for (double i = 0; i < run.count; ++i) {
+      values[at++] = run.mean();
+    }
+  }
 }
 
 bool is_mostly_clipped(const TruthBlocks& back, const Reading& reading) {
@@ -215,6 +294,42 @@ Reading read_again(const TruthBlocks& back, const Reading& before, LinearPicture
   reading.picture = std::move(pixels);
   reading.seen = observe(back, reading.picture);
   reading.right = ModelSearch(back, reading.seen, before.any_exposure).right();
+  return reading;
+}
+
+std::optional<Reading> read_by_any_curve(const TruthBlocks& back, const DecodedPicture& mine,
+                                         const Reading& before) {
+  DecodedPicture ramp;
+  for (std::size_t v = 0; v < levels; ++v) {
+    ramp.texture.rgb.insert(ramp.texture.rgb.end(), 3, static_cast<std::uint8_t>(v));
+  }
+  const std::vector<Color> grays = linearized(ramp, before.screen).pixels;
+  std::vector<double> factors(levels, 1);
+  Reading reading = before;
+  // Again with the weights of the first curve.
+  for (int round = 0; round < 2; ++round) {
+    const std::vector<double> more = curve_factors(back, mine, reading);
+    if (more.empty()) {
+      return std::nullopt;
+    }
+    std::vector<double> curve(levels);
+    for (std::size_t v = 0; v < levels; ++v) {
+      curve[v] = factors[v] * more[v] * grays[v].x;
+    }
+    make_rising(curve);
+    for (std::size_t v = 0; v < levels; ++v) {
+      factors[v] = grays[v].x > 0 ? curve[v] / grays[v].x : 1;
+    }
+    LinearPicture pixels = before.picture;
+    for (std::size_t at = 0; at < pixels.pixels.size(); ++at) {
+      for (int c = 0; c < 3; ++c) {
+        const double by = factors[mine.texture.rgb[3 * at + c]];
+        pixels.pixels[at][c] *= by;
+        pixels.rounding[at][c] *= by * by;
+      }
+    }
+    reading = read_again(back, before, std::move(pixels));
+  }
   return reading;
 }
 

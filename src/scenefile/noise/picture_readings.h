@@ -56,6 +56,11 @@ Reading read_as(const TruthBlocks& back, const DecodedPicture& mine, const Scree
 /// Other pixels, such as those of another view, read like `before`. Without models.
 Reading read_again(const TruthBlocks& back, const Reading& before, LinearPicture pixels);
 
+/// 8-bit values read by the rising curve, the same for all channels, that brings them nearest to
+/// the truth: `before`, times a piecewise linear factor. None if there are too few values.
+std::optional<Reading> read_by_any_curve(const TruthBlocks& back, const DecodedPicture& mine,
+                                         const Reading& before);
+
 /// The likeliest first; none if most of the picture is clipped.
 std::vector<Reading> readings_of(const TruthBlocks& back, const DecodedPicture& mine);
 

@@ -121,8 +121,9 @@ BsdfSample glass_sample(const Bsdf& bsdf, const Facing& facing, double choice) {
 
 }  // namespace
 
-Facing facing_of(const dvec3& outward, const dvec3& geometric, const dvec3& to_eye) {
-  Facing facing{outward, geometric, to_eye, true};
+Facing facing_of(const dvec3& normal, const dvec3& outward, const dvec3& geometric,
+                 const dvec3& to_eye) {
+  Facing facing{normal, geometric, to_eye, true};
   // Where a file's normals point against the winding, they decide what is inside.
   if (glm::dot(geometric, outward) < 0) {
     facing.geometric = -geometric;

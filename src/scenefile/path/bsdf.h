@@ -29,8 +29,10 @@ struct Facing {
   bool outside = true;            ///< `to_eye` is outside of the object
 };
 
-/// Orients the normals of a surface. `outward`: for shading; `geometric` may be on either side.
-Facing facing_of(const glm::dvec3& outward, const glm::dvec3& geometric, const glm::dvec3& to_eye);
+/// Orients the normals of a surface. `normal`: for shading; `outward`: the same without a bump map;
+/// `geometric` may be on either side.
+Facing facing_of(const glm::dvec3& normal, const glm::dvec3& outward, const glm::dvec3& geometric,
+                 const glm::dvec3& to_eye);
 
 /// The value for a direction, of the lobes that have one: diffuse and glossy.
 struct BsdfValue {

@@ -27,25 +27,38 @@ std::uint32_t nearest_to_center(const PathPixel& pixel) {
   return best;
 }
 
-std::optional<ObjectRef> occluder_of(const Tracer& tracer, const PathVertex& vertex,
+std::optional<ObjectRef> occluder_of(const PathScene& scene, const PathVertex& vertex,
                                      const PathLight& light) {
+  const Tracer& tracer = scene.tracer;
+  std::optional<ObjectRef> darkest;
   if (!light.shadow_ray || light.visibility == Color(1)) {
-    return std::nullopt;
+    return darkest;
   }
-  Hit hit;
   const Ray ray{vertex.point.position, light.to_light};
-  if (!tracer.accelerator.closest(ray, vertex.point.offset, light.distance, hit)) {
-    return std::nullopt;
+  double least = 2;  // light that one object leaves
+  Hit hit;
+  for (double from = vertex.point.offset;
+       least > 0 && tracer.accelerator.closest(ray, from, light.distance, hit); from = hit.t) {
+    const bool is_lamp = light.light == no_index;
+    const double left =
+        is_lamp
+            ? 0
+            : luminance(Transmission::factor(scene.transmission.density(hit.material, hit.mesh)));
+    if (left < least) {
+      least = left;
+      darkest = object_at(tracer, ray, from, hit.source);
+    }
   }
-  return object_at(tracer, ray, vertex.point.offset, hit.source);
+  return darkest;
 }
 
-void name_objects(const Tracer& tracer, PathPixel& pixel) {
+void name_objects(const PathScene& scene, PathPixel& pixel) {
+  const Tracer& tracer = scene.tracer;
   for (const PathVertex& vertex : pixel.path.vertices) {
     pixel.objects.push_back(object_at(tracer, vertex.ray, vertex.start, vertex.source));
     for (std::uint32_t i = 0; i < vertex.lights; ++i) {
       pixel.occluders.push_back(
-          occluder_of(tracer, vertex, pixel.path.lights[vertex.first_light + i]));
+          occluder_of(scene, vertex, pixel.path.lights[vertex.first_light + i]));
     }
   }
 }
@@ -81,7 +94,7 @@ RenderStatus explain_path(const RenderScene& scene, const Assets& assets,
   pixel.shown =
       sample.value_or(no_index) < pixel.samples.size() ? *sample : nearest_to_center(pixel);
   path_light(paths, x, y, pixel.shown, counts, &pixel.path);
-  name_objects(paths.tracer, pixel);
+  name_objects(paths, pixel);
   const Image image = image_of(state);
   std::copy(image.rgb.begin(), image.rgb.end(), pixel.picture.begin());
   pixel.standard_error = std::sqrt(variances_of(state).front());

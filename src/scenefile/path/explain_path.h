@@ -28,7 +28,8 @@ struct PathPixel {
   std::uint32_t shown = 0;  ///< the sample that `path` describes
   PathRecord path;
   std::vector<ObjectRef> objects;  ///< by vertex of `path`
-  /// By light of `path`: the first object between it and the vertex, if any light is missing.
+  /// By light of `path`: of the objects between it and the vertex the first that lets the least
+  /// light through, if any light is missing.
   std::vector<std::optional<ObjectRef>> occluders;
   std::array<float, 3> picture{};  ///< linear, as stored in the image by render_path()
   double standard_error = 0;  ///< standard error of its luminance, assuming independent samples

@@ -1,6 +1,6 @@
 #include "scenefile/path/lamps.h"
 
-#include "scenefile/trace/scene_geometry.h"
+#include "scenefile/geometry/ray_box.h"
 #include "scenefile/trace/surface_point.h"
 #include "scenefile/trace/texture_lookup.h"
 
@@ -137,7 +137,8 @@ void Lamps::find_places(const SceneGeometry& geometry) {
       if (object.kind == ObjectKind::instance) {
         open.push_back({object.target, object_from_world});
       } else {
-        places_.push_back({inverse(object_from_world), object_from_world, object.target});
+        places_.push_back(
+            {inverse(object_from_world), object_from_world, object.target, object.source});
       }
     }
   }
@@ -157,6 +158,8 @@ void Lamps::find_places(const SceneGeometry& geometry) {
 
 void Lamps::add_triangles(const SceneGeometry& geometry) {
   std::vector<double> powers;
+  std::vector<Bounds> bounds;
+  Bounds whole;
   for (std::uint32_t p = 0; p < places_.size(); ++p) {
     const Place& place = places_[p];
     const Mesh& mesh = assets_->meshes[place.mesh];
@@ -180,6 +183,12 @@ void Lamps::add_triangles(const SceneGeometry& geometry) {
         triangles_.push_back({p, index});
         areas_.push_back(area);
         powers.push_back(power);
+        Bounds box;
+        for (const std::uint32_t corner : corners) {
+          box = unite(box, place.world_from_object.point(glm::dvec3(mesh.positions[corner])));
+        }
+        bounds.push_back(box);
+        whole = unite(whole, box);
         power_ += power;
       }
     }
@@ -189,15 +198,42 @@ void Lamps::add_triangles(const SceneGeometry& geometry) {
   }
   if (!triangles_.empty()) {
     table_ = AliasTable(powers);
+    extent_ = extent_of(whole);
+    const double scale = extent_.scale;
+    std::vector<FloatBox> boxes;
+    for (const Bounds& box : bounds) {
+      boxes.push_back(padded(scaled(box, scale), scaled(whole, scale)));
+    }
+    boxes_.emplace(boxes);
+    overlap_ = find_overlap();
   }
+}
+
+bool Lamps::find_overlap() const {
+  const Bounds& box = extent_.bounds;
+  const double far = extent_.diagonal + glm::length(glm::max(glm::abs(box.min), glm::abs(box.max)));
+  bool found = false;
+  for (std::uint32_t i = 0; i < triangles_.size() && !found; ++i) {
+    // The center, and three points near the corners.
+    for (const glm::dvec2& weights :
+         {glm::dvec2(1 / 3.0), glm::dvec2(0.01), glm::dvec2(0.98, 0.01), glm::dvec2(0.01, 0.98)}) {
+      const LampPoint point = point_on(i, weights);
+      visit_at({point.position + far * point.normal, -point.normal}, far, i,
+               [&](std::uint32_t, const glm::dvec2&) { found = true; });
+    }
+  }
+  return found;
 }
 
 LampPoint Lamps::sample(glm::dvec2 point) const {
   const std::uint32_t chosen = table_.choose(point.x);
+  return point_on(chosen, parallelograms_ ? point : in_triangle(point));
+}
+
+LampPoint Lamps::point_on(std::uint32_t chosen, const glm::dvec2& weights) const {
   const Triangle& triangle = triangles_[chosen];
   const Place& place = places_[triangle.place];
   const Mesh& mesh = assets_->meshes[place.mesh];
-  const glm::dvec2 weights = parallelograms_ ? point : in_triangle(point);
   const Surface surface = surface_at(mesh, triangle.index, weights.x, weights.y, false);
   const auto& corners = mesh.triangles[triangle.index];
   const auto corner = [&](int i) { return glm::dvec3(mesh.positions[corners[i]]); };
@@ -214,8 +250,91 @@ LampPoint Lamps::sample(glm::dvec2 point) const {
   return lamp;
 }
 
+template <typename Visit>
+void Lamps::visit_at(const Ray& ray, double t, std::uint32_t known, const Visit& visit) const {
+  if (!boxes_ || !holds(extent_.bounds, ray.origin + t * ray.direction)) {
+    return;
+  }
+  const double rounding = 1e-9 * t;
+  const auto end = [&] { return t + rounding; };
+  const Ray search{extent_.scale * ray.origin, extent_.scale * ray.direction};
+  boxes_->search(search, t - rounding, end, [&](std::uint32_t index) {
+    if (index == known) {
+      return;
+    }
+    const Place& place = places_[triangles_[index].place];
+    const Mesh& mesh = assets_->meshes[place.mesh];
+    const auto& corners = mesh.triangles[triangles_[index].index];
+    const auto corner = [&](int i) { return glm::dvec3(mesh.positions[corners[i]]); };
+    const glm::dvec3 direction = place.object_from_world.vector(ray.direction);
+    const glm::dvec3 to_corner = corner(0) - place.object_from_world.point(ray.origin);
+    const glm::dvec3 e1 = corner(1) - corner(0);
+    const glm::dvec3 e2 = corner(2) - corner(0);
+    const glm::dvec3 normal = glm::cross(e1, e2);
+    const glm::dvec3 q = glm::cross(to_corner, direction);
+    const double facing = glm::dot(normal, direction);
+    const glm::dvec2 weights(glm::dot(q, e2) / facing, -glm::dot(q, e1) / facing);
+    if (facing < 0 && std::abs(glm::dot(normal, to_corner) / facing - t) <= rounding &&
+        weights.x >= 0 && weights.y >= 0 && weights.x + weights.y <= 1) {
+      visit(index, weights);
+    }
+  });
+}
+
+LampPoint Lamps::seen(const Ray& ray, double distance, const LampPoint& lamp) const {
+  if (parallelograms_ || !overlap_) {
+    return lamp;
+  }
+  std::uint32_t last = lamp.triangle;
+  glm::dvec2 there = lamp.weights;
+  double together = lamp.density;
+  visit_at(ray, distance, lamp.triangle, [&](std::uint32_t index, const glm::dvec2& weights) {
+    together += density(triangles_[index]);
+    if (index > last) {
+      last = index;
+      there = weights;
+    }
+  });
+  LampPoint result = last == lamp.triangle ? lamp : point_on(last, there);
+  result.density = together;
+  return result;
+}
+
+double Lamps::reveal(const Ray& ray, Hit& hit) const {
+  std::uint32_t last = 0;
+  glm::dvec2 there(0);
+  double together = 0;
+  visit_at(ray, hit.t, no_index, [&](std::uint32_t index, const glm::dvec2& weights) {
+    if (together == 0 || index > last) {
+      last = index;
+      there = weights;
+    }
+    together += density(triangles_[index]);
+  });
+  if (together > 0) {
+    const Triangle& triangle = triangles_[last];
+    const Place& place = places_[triangle.place];
+    if (triangle.index != hit.triangle || place.mesh != hit.mesh ||
+        !(place.object_from_world == hit.object_from_world)) {
+      hit.shape = Shape::mesh;
+      hit.mesh = place.mesh;
+      hit.triangle = triangle.index;
+      hit.b1 = there.x;
+      hit.b2 = there.y;
+      hit.source = place.source;
+      hit.object_from_world = place.object_from_world;
+    }
+  }
+  return together;
+}
+
 double Lamps::density(std::uint32_t mesh, std::uint32_t material) const {
   return empty() ? 0 : radiance_[mesh][material] / power_;
+}
+
+double Lamps::density(const Triangle& triangle) const {
+  const std::uint32_t mesh = places_[triangle.place].mesh;
+  return density(mesh, assets_->mesh_materials[mesh].of_triangle[triangle.index]);
 }
 
 }  // namespace scenefile

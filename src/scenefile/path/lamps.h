@@ -3,12 +3,15 @@
 // choice among them.
 
 #include "scenefile/trace/accelerator.h"
+#include "scenefile/trace/bvh.h"
 #include "scenefile/trace/color.h"
+#include "scenefile/trace/scene_geometry.h"
 
 #include <glm/glm.hpp>
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace scenefile {
@@ -57,7 +60,8 @@ class AliasTable {
   std::vector<Entry> entries_;
 };
 
-/// Chooses triangles by their power: area times luminance of the mean emission.
+/// Chooses triangles by their power: area times luminance of the mean emission. Of lamps at the
+/// same place that face the same way, only the last one is seen, by paths and by light samples.
 class Lamps {
  public:
   Lamps() = default;
@@ -71,6 +75,12 @@ class Lamps {
   double area(std::size_t triangle) const { return areas_[triangle]; }
   /// `point` is uniform in the unit square.
   LampPoint sample(glm::dvec2 point) const;
+  /// The lamp that is seen at this point, which was sampled, by a ray of unit length; its density
+  /// is that of all lamps there.
+  LampPoint seen(const Ray& ray, double distance, const LampPoint& lamp) const;
+  /// The density of sample() for a point that a ray hit, by all lamps there that face the ray; 0 if
+  /// there are none. Otherwise the hit becomes one on the lamp that is seen.
+  double reveal(const Ray& ray, Hit& hit) const;
   /// From now on, points are uniform in the parallelograms of two edges of triangles, with the
   /// density of the triangles: as in programs that forget the half outside of them. Weights of
   /// corners may then be negative.
@@ -84,6 +94,7 @@ class Lamps {
     DAffine world_from_object;
     DAffine object_from_world;
     std::uint32_t mesh = 0;
+    std::uint32_t source = 0;  ///< of the primitive
   };
   struct Triangle {
     std::uint32_t place = 0;
@@ -92,6 +103,14 @@ class Lamps {
 
   void find_places(const SceneGeometry& geometry);
   void add_triangles(const SceneGeometry& geometry);
+  // Whether lamps that face the same way are at the same place.
+  bool find_overlap() const;
+  double density(const Triangle& triangle) const;
+  LampPoint point_on(std::uint32_t triangle, const glm::dvec2& weights) const;
+  // Calls visit(index, weights) for the triangles but `known` that the ray meets from the front at
+  // t, within rounding.
+  template <typename Visit>
+  void visit_at(const Ray& ray, double t, std::uint32_t known, const Visit& visit) const;
 
   const Assets* assets_ = nullptr;
   std::vector<std::vector<double>> radiance_;  ///< by mesh and face material; mean luminance
@@ -99,7 +118,10 @@ class Lamps {
   std::vector<Triangle> triangles_;
   std::vector<double> areas_;
   AliasTable table_;
+  std::optional<Bvh> boxes_;  ///< of triangles
+  Extent extent_;             ///< of all of them
   double power_ = 0;
+  bool overlap_ = false;
   bool parallelograms_ = false;
 };
 

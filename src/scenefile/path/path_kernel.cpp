@@ -188,7 +188,7 @@ class Path {
 
   // Point `i` of `count` on lamps.
   PathLight lamp_light(const PathPoint& point, int i, int count) const {
-    const LampPoint lamp = scene_.lamps.sample(use(PathUse::lamp, i, count));
+    LampPoint lamp = scene_.lamps.sample(use(PathUse::lamp, i, count));
     const dvec3 path = lamp.position - point.position;
     PathLight light;
     light.distance = glm::length(path);
@@ -197,6 +197,7 @@ class Path {
     if (!(cosine > 0)) {
       return light;
     }
+    lamp = scene_.lamps.seen({point.position, light.to_light}, light.distance, lamp);
     const double falloff =
         course() ? light.distance * double(scene_.lamps.size()) : light.distance * light.distance;
     const BsdfValue value = evaluate(point.bsdf, point.facing, light.to_light);

@@ -16,7 +16,7 @@ namespace scenefile {
 
 /// A point of a surface on a path.
 struct PathPoint {
-  std::uint32_t triangle = 0;  ///< of a mesh; of two at this place the one that faces the ray
+  std::uint32_t triangle = 0;              ///< of a mesh
   std::uint32_t material = mesh_no_index;  ///< of a face: into MeshMaterials::materials
   glm::dvec3 position{0};
   double offset = 0;  ///< t of the nearest hit that counts on rays from here
@@ -36,8 +36,8 @@ struct PathLight {
   double lamp_cosine = 0;          ///< between a lamp's normal and the direction to the vertex
   std::uint32_t lamp = no_index;   ///< triangle of the lamps
   glm::dvec2 lamp_weights{0};      ///< where on it: barycentric, of its second and third corner
-  /// Radiance of the lamp toward the vertex; 0 if it faces away. Of a light its color *
-  /// (attenuation * spot factor).
+  /// Radiance of the lamp toward the vertex; 0 if it faces away or is black there. Of a light its
+  /// color * (attenuation * spot factor).
   Color emission{0};
   Color reflected{0};  ///< BSDF times cosine; of a light Kd cos + Ks cos^n (docs/rendering.md)
   /// Of a lamp: of this direction per solid angle, times the number of samples. Of a light: the

@@ -7,10 +7,6 @@
 
 #include <glm/glm.hpp>
 
-#include <cstdint>
-#include <map>
-#include <utility>
-
 namespace scenefile {
 
 struct PathScene {
@@ -24,12 +20,10 @@ struct PathScene {
   // As in programs with a mistake; see noise/path_truth.h.
   bool uniform_directions = false;  ///< not by the BSDF
   bool always_enters = false;       ///< glass refracts each ray as if it came from outside
-  /// By mesh and triangle: the triangle at the same place that faces the other way and emits light.
-  /// Rays hit only the last of such faces, but a lamp may be made of two.
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> other_faces;
 };
 
-/// `ray`: of unit length.
-PathPoint path_point(const PathScene& scene, const Ray& ray, const Hit& hit);
+/// `ray`: of unit length. If a lamp shines there, but something else at this place was hit, `hit`
+/// becomes one on the lamp.
+PathPoint path_point(const PathScene& scene, const Ray& ray, Hit& hit);
 
 }  // namespace scenefile

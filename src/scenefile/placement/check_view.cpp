@@ -22,7 +22,11 @@ class ViewCheck {
  public:
   ViewCheck(const RenderScene& scene, const Assets& assets, const ViewQuestion& question,
             Diagnostics& diagnostics)
-      : scene_(scene), question_(question), diagnostics_(diagnostics), search_(scene, assets) {}
+      : scene_(scene),
+        assets_(assets),
+        question_(question),
+        diagnostics_(diagnostics),
+        search_(scene, assets) {}
 
   void check_camera() {
     search_.enclosing(scene_.camera.position, scene_.camera.position, [&](const Enclosure& e) {
@@ -100,11 +104,22 @@ class ViewCheck {
     return global.specular != 0 && m.specular != black && m.shininess > 0;
   }
   bool answers_light(const RenderGlobal& global) const {
-    return std::any_of(scene_.materials.begin(), scene_.materials.end(),
-                       [&](const RenderMaterial& m) {
-                         const bool textured = m.texture.used() && m.blend > 0;
-                         return textured || has_highlight(global, m) ||
-                                (global.diffuse != 0 && m.diffuse != black);
+    return faces_answer_light() || std::any_of(scene_.materials.begin(), scene_.materials.end(),
+                                               [&](const RenderMaterial& m) {
+                                                 const bool textured =
+                                                     m.texture.used() && m.blend > 0;
+                                                 return textured || has_highlight(global, m) ||
+                                                        (global.diffuse != 0 && m.diffuse != black);
+                                               });
+  }
+  // The materials of faces, which are only loaded for path tracing, have no coefficients.
+  bool faces_answer_light() const {
+    const auto answers = [](const FaceMaterial& m) {
+      return m.diffuse != black || m.specular != black;
+    };
+    return std::any_of(assets_.mesh_materials.begin(), assets_.mesh_materials.end(),
+                       [&](const MeshMaterials& mesh) {
+                         return std::any_of(mesh.materials.begin(), mesh.materials.end(), answers);
                        });
   }
   // Why no light is visible.
@@ -116,6 +131,7 @@ class ViewCheck {
   }
 
   const RenderScene& scene_;
+  const Assets& assets_;
   const ViewQuestion& question_;
   Diagnostics& diagnostics_;
   SceneSearch search_;

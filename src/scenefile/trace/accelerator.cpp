@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace scenefile {
 
@@ -220,7 +221,8 @@ bool same_object(const Hit& a, const Hit& b) {
   return a.object == b.object && a.object_from_world == b.object_from_world;
 }
 
-Transmission::Transmission(const std::vector<glm::dvec3>& factors) {
+Transmission::Transmission(const std::vector<glm::dvec3>& factors, std::vector<bool> opaque_meshes)
+    : opaque_meshes_(std::move(opaque_meshes)) {
   densities_.reserve(factors.size());
   for (const glm::dvec3& factor : factors) {
     densities_.emplace_back(density_of(factor.x), density_of(factor.y), density_of(factor.z));

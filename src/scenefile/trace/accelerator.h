@@ -44,11 +44,17 @@ class Transmission {
   /// A density that blocks all visible light.
   static constexpr std::int64_t black = std::int64_t{12} << 32;
 
-  /// `factors`: by material; 0 blocks all light, 1 or more none.
-  explicit Transmission(const std::vector<glm::dvec3>& factors);
+  /// `factors`: by material; 0 blocks all light, 1 or more none. `opaque_meshes`: by mesh; true: it
+  /// blocks all light, whatever the material.
+  explicit Transmission(const std::vector<glm::dvec3>& factors,
+                        std::vector<bool> opaque_meshes = {});
 
   bool all_opaque() const { return all_opaque_; }
-  const glm::i64vec3& density(std::uint32_t material) const { return densities_[material]; }
+  /// `mesh`: no_index for other shapes.
+  glm::i64vec3 density(std::uint32_t material, std::uint32_t mesh = no_index) const {
+    return mesh < opaque_meshes_.size() && opaque_meshes_[mesh] ? glm::i64vec3(black)
+                                                                : densities_[material];
+  }
   /// Whether this density leaves only a negligible amount of light.
   static bool blocks(const glm::i64vec3& density);
   /// The factor for a density.
@@ -56,6 +62,7 @@ class Transmission {
 
  private:
   std::vector<glm::i64vec3> densities_;
+  std::vector<bool> opaque_meshes_;
   bool all_opaque_ = true;
 };
 

@@ -43,7 +43,7 @@ std::vector<Blocker> blockers_of(const Tracer& tracer, const Ray& to_light, doub
       continue;
     }
     hits.push_back(hit);
-    const glm::i64vec3& density = tracer.transmission.density(hit.material);
+    const glm::i64vec3 density = tracer.transmission.density(hit.material);
     found.push_back({object_at(tracer, to_light, from, hit.source), hit.t,
                      Transmission::factor(density), same(itself)});
     if (Transmission::blocks(density)) {

@@ -11,12 +11,17 @@ namespace {
 
 // A shadow ray hit an object.
 void obstruct(Query& q, const Object& object) {
-  if (q.transmission == nullptr || Transmission::blocks(q.transmission->density(object.material))) {
+  const bool is_mesh = object.kind == ObjectKind::mesh;
+  const glm::i64vec3 density =
+      q.transmission == nullptr
+          ? glm::i64vec3(Transmission::black)
+          : q.transmission->density(object.material, is_mesh ? object.target : no_index);
+  if (Transmission::blocks(density)) {
     q.blocked = true;
     q.object = &object;
     return;
   }
-  q.density += q.transmission->density(object.material);
+  q.density += density;
   q.blocked = Transmission::blocks(q.density);
 }
 

@@ -193,7 +193,9 @@ class PathText {
     }
     ExplainItem& item = vertex.add(fmt::format("{} {}", bold(name), color(l.contribution)));
     if (l.emission == Color(0)) {
-      item.add(l.light == no_index ? "the chosen point faces away" : "none arrives here");
+      item.add(l.light != no_index ? "none arrives here"
+               : l.lamp_cosine > 0 ? "the lamp is black there"
+                                   : "the chosen point faces away");
       return;
     }
     item.add(fmt::format("along {}, distance {:.6g}: {} {}", vector_text(l.to_light), l.distance,

@@ -83,7 +83,7 @@ std::string write_pov_file(LoadedScene& scene, bool path, const Options& options
   }
   context.phase = "writing the scene";
   const Features& features = options.render.features;
-  return write_pov(scene.ready.scene, scene.assets.meshes, textures,
+  return write_pov(scene.ready.scene, scene.assets, textures,
                    {.bounces = options.render.max_depth,
                     .transparent = assumed_transparent,
                     .shadows = features.shadows,
@@ -157,7 +157,6 @@ LoadDepth depth_for(ConvertTo format) {
     case ConvertTo::json:
       return LoadDepth::prepared;
     case ConvertTo::pov:
-      return LoadDepth::with_meshes;
     case ConvertTo::glb:
     case ConvertTo::gltf:
     case ConvertTo::obj:

@@ -40,6 +40,9 @@ CompareSettings settings_of(std::optional<double> min_psnr, std::optional<double
   if (asks_for_paths(options)) {
     throw py::value_error("mode: path is for render and explain");
   }
+  if (max_share && !(*max_share >= 0 && *max_share < 1)) {
+    throw py::value_error("max_share: a share from 0 to below 1 is expected; 0.02 is 2 %");
+  }
   std::vector<RenderOptions> profiles;
   if (options.contains("profile")) {
     profiles = {render_options(options)};

@@ -1,5 +1,7 @@
 #include "interruptible.h"
 
+#include <cxxabi.h>
+
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -43,7 +45,7 @@ void run_interruptible(const std::function<void(const std::function<bool(double)
         continue;
       }
       lock.unlock();
-      {
+      try {
         const py::gil_scoped_acquire acquire;
         try {
           if (PyErr_CheckSignals() != 0) {
@@ -55,6 +57,14 @@ void run_interruptible(const std::function<void(const std::function<bool(double)
         } catch (py::error_already_set& error) {
           raised.emplace(std::move(error));
           stop = true;
+        }
+      } catch (const abi::__forced_unwind&) {
+        // The interpreter ends, and nothing here may use it again: wait for the end of the process,
+        // as threads do since Python 3.14.
+        stop = true;
+        worker.join();
+        while (true) {
+          std::this_thread::sleep_for(std::chrono::hours(1));
         }
       }
       lock.lock();

@@ -68,7 +68,7 @@ std::vector<std::string> convert(LoadedScene& scene, std::string_view to,
       textures.push_back(file.name);
     }
     const Features& on = options.features;
-    return one("scene.pov", write_pov(scene.ready.scene, scene.assets.meshes, textures,
+    return one("scene.pov", write_pov(scene.ready.scene, scene.assets, textures,
                                       {.bounces = options.max_depth,
                                        .transparent = transparent,
                                        .shadows = on.shadows,

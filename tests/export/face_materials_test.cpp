@@ -91,8 +91,7 @@ TEST_F(PathExport, ObjHasTheFaceMaterials) {
 
 TEST_F(PathExport, PovRayDrawsTheLightOfFaces) {
   use(false);
-  const std::string pov =
-      write_pov(scene.scene, scene.assets.meshes, {}, {.path = true}, diagnostics);
+  const std::string pov = write_pov(scene.scene, scene.assets, {}, {.path = true}, diagnostics);
   EXPECT_THAT(pov, HasSubstr("radiosity"));
   EXPECT_THAT(pov, HasSubstr("emission rgb <34, 24, 8>")) << "of a pigment of 0.5";
   EXPECT_THAT(pov, HasSubstr("phong 2.5 phong_size 8")) << "5 times the share of the lobe";

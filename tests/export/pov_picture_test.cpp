@@ -52,6 +52,7 @@ class PovPicture : public testing::Test {
     m.blend = blend;
     m.texture = {static_cast<std::uint32_t>(scene_.assets.textures.size()), repeat, repeat};
     scene_.assets.textures.push_back(compass());
+    scene_.assets.textures.back().format = "PNG";
     const std::string path = (folder_ / "compass.png").string();
     const std::string png =
         *encode_image(to_float(compass()), ImageFormat::png8, Rounding::nearest);
@@ -70,8 +71,7 @@ class PovPicture : public testing::Test {
 
   Texture theirs() {
     Diagnostics diagnostics;
-    const std::string pov =
-        write_pov(scene_.scene, scene_.assets.meshes, paths_, options_, diagnostics);
+    const std::string pov = write_pov(scene_.scene, scene_.assets, paths_, options_, diagnostics);
     EXPECT_EQ(error_text(write_file((folder_ / "scene.pov").string(), pov)), "");
     const std::string command = "cd '" + folder_.string() +
                                 "' && '" POVRAY "' +Iscene.pov +Oscene.png +W" +

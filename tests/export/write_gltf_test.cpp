@@ -154,6 +154,22 @@ TEST(WriteGltf, RejectsMoreNodesThanAllowed) {
   EXPECT_TRUE(diagnostics.has_errors());
 }
 
+TEST(WriteGltf, ATexturedMeshWithoutCoordinatesGetsThem) {
+  Written w;
+  Assets assets;
+  assets.textures.push_back({1, 1, {255, 0, 0}});
+  Mesh& triangle = assets.meshes.emplace_back();
+  triangle.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  triangle.triangles = {{0, 1, 2}};
+  const std::string mesh = "<object type=\"primitive\" name=\"mesh\" filename=\"a.obj\">";
+  const std::string textured = "<blend v=\"1\"/><texture file=\"a.png\" u=\"1\" v=\"1\"/>";
+  write(scene_of(block(mesh + "</object>") + block(mesh + textured + "</object>")), w, assets);
+  const auto& meshes = w.json["meshes"];
+  ASSERT_EQ(meshes.Size(), 2u);
+  EXPECT_FALSE(meshes[0]["primitives"][0]["attributes"].HasMember("TEXCOORD_0"));
+  EXPECT_TRUE(meshes[1]["primitives"][0]["attributes"].HasMember("TEXCOORD_0"));
+}
+
 TEST(WriteGltf, BakesBlendAndEncodesForTheScreen) {
   Written w;
   Assets assets;

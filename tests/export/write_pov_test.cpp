@@ -21,7 +21,7 @@ struct WrittenPov {
 WrittenPov write(const SceneBuilder& scene, const PovOptions& options = {}) {
   WrittenPov w;
   const std::vector<std::string> paths(scene.scene.texture_files.size(), "image.png");
-  w.text = write_pov(scene.scene, scene.assets.meshes, paths, options, w.diagnostics);
+  w.text = write_pov(scene.scene, scene.assets, paths, options, w.diagnostics);
   return w;
 }
 
@@ -72,17 +72,15 @@ TEST(WritePov, ReportsWhatIsLost) {
   EXPECT_TRUE(says(write(scene), "pov.lost"_code));
 }
 
-TEST(WritePov, ReportsMissingTextures) {
+TEST(WritePov, LeavesOutTexturesThatCannotBeUsed) {
   SceneBuilder scene;
   RenderMaterial m;
   m.texture.file = scene.texture(1, 1, {0});
   m.blend = 1;
   scene.add(Shape::cube, {}, scene.material(m));
-  Diagnostics diagnostics;
-  const std::string text =
-      write_pov(scene.scene, {}, std::vector<std::string>{""}, {}, diagnostics);
-  EXPECT_EQ(diagnostics.count(Severity::warning), 1u);
-  EXPECT_THAT(text, Not(HasSubstr("image_map")));
+  EXPECT_THAT(write(scene).text, HasSubstr("image_map"));
+  scene.assets.textures[0] = {};
+  EXPECT_THAT(write(scene).text, Not(HasSubstr("image_map")));
 }
 
 TEST(WritePov, WritesAGroupOnceHoweverOftenItIsUsed) {
@@ -105,16 +103,18 @@ TEST(WritePov, LeavesOutGroupsWithNothingInThem) {
   EXPECT_THAT(write(scene).text, Not(HasSubstr("union")));
 }
 
-TEST(WritePov, EscapesPaths) {
+TEST(WritePov, NamesTheFormatOfTexturesWhateverTheirExtension) {
   SceneBuilder scene;
   RenderMaterial m;
   m.texture.file = scene.texture(1, 1, {0});
   m.blend = 1;
   scene.add(Shape::cube, {}, scene.material(m));
   Diagnostics diagnostics;
-  const std::vector<std::string> paths = {"a\"b\\c.jpg"};
-  EXPECT_THAT(write_pov(scene.scene, {}, paths, {}, diagnostics),
-              HasSubstr("jpeg \"a\\\"b\\\\c.jpg\""));
+  const std::vector<std::string> paths = {"a\"b\\c.png"};
+  scene.assets.textures[0].format = "JPEG";
+  EXPECT_THAT(write_pov(scene.scene, scene.assets, paths, {}, diagnostics),
+              HasSubstr("jpeg \"a\\\"b\\\\c.png\""))
+      << "the path is escaped";
 }
 
 }  // namespace

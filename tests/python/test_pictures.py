@@ -224,6 +224,14 @@ def test_ctrl_c_stops(scenes):
     assert out == "stopped\n"
 
 
+def test_a_daemon_thread_that_draws_does_not_keep_python_from_ending(scenes):
+    code = ("import scenefile, threading, time\n"
+            f"scene = scenefile.read({str(scenes / 'showcase.xml')!r})\n"
+            "threading.Thread(target=scene.render, kwargs={'size': (4000, 3000), 'samples': 64}, daemon=True).start()\n"
+            "time.sleep(0.3)\n")
+    subprocess.run([sys.executable, "-c", code], check=True, env=os.environ, timeout=60)
+
+
 def test_other_threads_run_meanwhile(scenes):
     scene = scenefile.read(scenes / "showcase.xml")
     counted = 0
@@ -278,6 +286,9 @@ def test_compare_names_the_mistake(ball):
     as_floats = scenefile.compare(reference, upside_down / np.float32(255), ball)
     assert as_floats.psnr_db == comparison.psnr_db
     assert scenefile.compare(reference, upside_down, min_psnr=1).same
+    assert not scenefile.compare(reference, upside_down, max_share=0.02).same
+    with pytest.raises(ValueError, match="0.02 is 2 %"):
+        scenefile.compare(reference, upside_down, max_share=2)
 
 
 def test_compare_finds_the_scene_in_a_screenshot(scenes):

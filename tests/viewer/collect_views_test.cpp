@@ -32,7 +32,7 @@ struct CollectViews : ::testing::Test {
 TEST_F(CollectViews, RoundTrip) {
   for (const int i : {1, 2, 3}) {
     const Result<std::size_t> views =
-        change_views(path, camera_at(0.1F * static_cast<float>(i)), limits);
+        change_views(path, camera_at(0.1F * static_cast<float>(i)), {}, limits);
     ASSERT_EQ(error_text(views), "");
     EXPECT_EQ(*views, static_cast<std::size_t>(i));
   }
@@ -49,7 +49,7 @@ TEST_F(CollectViews, KeepsTheUsersText) {
   folder.write("a-views.json", R"({"fps": 12, "views": [{"time": 4.5, "position": [1, 2, 3],
       "focus": [0, 0.5, 0], "aperture": 0.25, "focalLength": 2}]})");
   const CameraPath before = read();
-  EXPECT_EQ(*change_views(path, camera_at(9), limits), 2U);
+  EXPECT_EQ(*change_views(path, camera_at(9), {}, limits), 2U);
   const CameraPath after = read();
   EXPECT_EQ(after.fps, 12);
   EXPECT_EQ(after.views[0].camera, before.views[0].camera);
@@ -58,23 +58,33 @@ TEST_F(CollectViews, KeepsTheUsersText) {
   EXPECT_FALSE(after.views[1].focus.has_value());
 }
 
+TEST_F(CollectViews, WhatTheFirstViewLeavesOutIsTheScenes) {
+  folder.write("a-views.json", R"({"views": [{"time": 0, "position": [3, 2.2, 4]}]})");
+  Camera scene = camera_at(7);
+  scene.look = {0, -1, 0};
+  EXPECT_EQ(*change_views(path, camera_at(9), scene, limits), 2U);
+  scene.position = {3, 2.2, 4};
+  EXPECT_EQ(read().views[0].camera, scene);
+}
+
 TEST_F(CollectViews, RemovesTheLastView) {
-  ASSERT_TRUE(change_views(path, camera_at(1), limits));
+  ASSERT_TRUE(change_views(path, camera_at(1), {}, limits));
   const std::string one = folder.read("a-views.json");
-  ASSERT_TRUE(change_views(path, camera_at(2), limits));
-  EXPECT_EQ(*change_views(path, {}, limits), 1U);
+  ASSERT_TRUE(change_views(path, camera_at(2), {}, limits));
+  EXPECT_EQ(*change_views(path, {}, {}, limits), 1U);
   EXPECT_EQ(folder.read("a-views.json"), one);
-  EXPECT_EQ(error_text(change_views(path, {}, limits)), "");
+  EXPECT_EQ(error_text(change_views(path, {}, {}, limits)), "");
   EXPECT_FALSE(std::filesystem::exists(path));
-  EXPECT_EQ(error_text(change_views(path, {}, limits)), "there are no views");
+  EXPECT_EQ(error_text(change_views(path, {}, {}, limits)), "there are no views");
 }
 
 TEST_F(CollectViews, NeverChangesOtherFiles) {
   folder.write("a-views.json", "my notes");
-  EXPECT_THAT(error_text(change_views(path, camera_at(1), limits)), HasSubstr("a-views.json:1:1"));
-  EXPECT_NE(error_text(change_views(path, {}, limits)), "");
+  EXPECT_THAT(error_text(change_views(path, camera_at(1), {}, limits)),
+              HasSubstr("a-views.json:1:1"));
+  EXPECT_NE(error_text(change_views(path, {}, {}, limits)), "");
   EXPECT_EQ(folder.read("a-views.json"), "my notes");
-  EXPECT_NE(error_text(change_views(folder.path("no/such.json"), camera_at(1), limits)), "");
+  EXPECT_NE(error_text(change_views(folder.path("no/such.json"), camera_at(1), {}, limits)), "");
 }
 
 TEST(ViewsFile, IsNamedAfterTheScene) {

@@ -390,6 +390,20 @@ TEST_F(EditingTest, AChangeOfTheFileDoesNotReplaceTheQuestionBeforeQuitting) {
   EXPECT_THAT(file(), HasSubstr("an hour of work"));
 }
 
+TEST_F(EditingTest, ReadingTheChangedFileBeforeQuittingDoesNotQuit) {
+  select_label("sphere");
+  drag_value("diffuse", 0, "0.5");
+  perform(session, Action::quit);
+  folder.write("a.xml", testing::scene_text + "<!-- an hour of work -->");
+  answer("Save");
+  answer("Read it");
+  EXPECT_FALSE(session.quit) << "the edits would be lost";
+  settle();
+  EXPECT_EQ(text(), file());
+  perform(session, Action::undo);
+  EXPECT_THAT(text(), HasSubstr(R"(r="0.5")"));
+}
+
 TEST_F(EditingTest, ALightThatGetsItsTypeBackGetsItsPositionBack) {
   select_label("point light");
   const auto set_type = [&](const std::string& type) {
@@ -501,6 +515,17 @@ TEST_F(EditingTest, ANewSceneIsCreatedWhenItIsSaved) {
     EXPECT_EQ(folder.read(name), text());
     settle();
   }
+}
+
+TEST_F(EditingTest, ANewSceneStaysWhileAPictureChanges) {
+  new_scene(session, folder.path("new.xml"));
+  open_picture(session, write_picture("mine.png", 40, 30), Role::mine);
+  settle_files();
+  write_picture("mine.png", 20, 15);
+  settle_files();
+  EXPECT_EQ(session.mine.decoded->texture.width, 20);
+  EXPECT_EQ(session.broken, nullptr);
+  EXPECT_TRUE(session.editing.new_file);
 }
 
 TEST_F(EditingTest, ANewSceneWithoutANameAsksForOne) {

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <thread>
@@ -221,6 +222,8 @@ TEST_F(SessionTest, ClicksHitTheRealtimePicture) {
 
 TEST_F(SessionTest, KeysOfTheAssignment) {
   session.settings.assignment_keys = true;
+  EXPECT_FALSE(uses_assignment_keys(session)) << "Ctrl+S saves in all other pictures";
+  session.realtime = true;
   const ViewCamera before = session.camera;
   key_pressed(session, {"Space"});
   pass(1);
@@ -311,6 +314,19 @@ TEST_F(SessionTest, ComparesTheTracedPicture) {
   settle();
   EXPECT_EQ(session.mine.decoded->texture.width, 30);
   EXPECT_EQ(session.comparison->difference.width, 30);
+}
+
+TEST_F(SessionTest, FloatsAreComparedAsFloats) {
+  const auto write_floats = [&](const std::string& name, float value) {
+    Image image(40, 30);
+    std::fill(image.rgb.begin(), image.rgb.end(), value);
+    return folder.write(name, *encode_image(image, ImageFormat::pfm, Rounding::nearest));
+  };
+  open_picture(session, write_floats("a.pfm", 2), Role::reference);
+  open_picture(session, write_floats("b.pfm", 4), Role::mine);
+  settle();
+  EXPECT_EQ(sides_of(session), (Sides{Role::reference, Role::mine}));
+  EXPECT_EQ(session.comparison->measures.difference.max, 510);
 }
 
 TEST_F(SessionTest, ComparesTheOpenGlPicture) {

@@ -5,7 +5,10 @@ export type SceneSource = string | Uint8Array;
 export type Files = Record<string, string | Uint8Array> | Map<string, string | Uint8Array>;
 
 export interface SceneOptions {
-  /** The name in messages; its extension does not matter. Default: scene.xml or scene.json. */
+  /**
+   * The name in messages, which show only the last part of an absolute one; its extension does not matter. Default:
+   * scene.xml or scene.json.
+   */
   name?: string;
   files?: Files;
   /** Read as the course's programs did (`--compat course`). */

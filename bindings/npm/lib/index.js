@@ -1,6 +1,6 @@
 // The library: the program's commands for scenes in memory. index.d.ts documents the functions.
 
-import { run } from './memory.js';
+import { partsOf, run } from './memory.js';
 import { decodePng } from './png.js';
 
 export { run };
@@ -17,10 +17,11 @@ export class SceneError extends Error {
   }
 }
 
-// XML begins with <, JSON does not.
+// Within the scene's folder. XML begins with <, JSON does not.
 function nameOf(scene, options) {
   if (options.name !== undefined) {
-    return options.name;
+    const parts = partsOf(options.name);
+    return /^([a-z]:)?[/\\]/i.test(options.name) ? parts.at(-1) : parts.join('/');
   }
   const start = typeof scene === 'string' ? scene : text.decode(scene.subarray(0, 256));
   return start.trimStart().startsWith('<') ? 'scene.xml' : 'scene.json';
@@ -50,6 +51,12 @@ async function answerOf(words, files, roots) {
     throw new SceneError(answer.error, done.status, []);
   }
   return { ...done, answer };
+}
+
+// Why there is no answer, with the findings of the scene.
+async function failure(scene, options, { stderr, status }) {
+  const message = stderr.match(/error: (.*)/)?.[1] ?? lastLine(stderr);
+  return new SceneError(message, status, (await check(scene, options)).findings);
 }
 
 // The answer, unless it only says why there is none.
@@ -85,7 +92,7 @@ export async function format(scene, options = {}) {
   const name = nameOf(scene, options);
   const done = await run(['format', name], { files: filesOf(name, scene, options) });
   if (done.status !== 0) {
-    throw new SceneError(lastLine(done.stderr), done.status, []);
+    throw await failure(scene, options, done);
   }
   return text.decode(done.files.get(name));
 }
@@ -94,11 +101,12 @@ export async function convert(scene, to, options = {}) {
   const name = nameOf(scene, options);
   const out = `converted.${to}`;
   const words = ['convert', name, out, ...commonWords(options)];
-  const done = await run(words, { files: filesOf(name, scene, options) });
+  const files = filesOf(name, scene, options);
+  const done = await run(words, { files });
   if (!done.files.has(out)) {
-    throw new SceneError(lastLine(done.stderr), done.status, []);
+    throw await failure(scene, options, done);
   }
-  const given = new Set(filesOf(name, scene, options).keys());
+  const given = new Set([...files.keys()].map((file) => partsOf(file).join('/')));
   const others = new Map([...done.files].filter(([file]) => file !== out && !given.has(file)));
   return { bytes: done.files.get(out), files: others, messages: done.stderr };
 }

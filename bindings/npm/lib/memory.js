@@ -76,8 +76,8 @@ class Instance {
   }
 }
 
-// Names cannot leave the folder.
-function inFolder(name) {
+/** The parts of a name, which cannot leave the folder. */
+export function partsOf(name) {
   const parts = [];
   for (const part of name.replaceAll('\\', '/').split('/')) {
     if (part === '..') {
@@ -92,7 +92,11 @@ function inFolder(name) {
   if (parts.length === 0) {
     throw new RangeError('a file needs a name');
   }
-  return [folder, ...parts].join('/');
+  return parts;
+}
+
+function inFolder(name) {
+  return [folder, ...partsOf(name)].join('/');
 }
 
 function entries(FS, path) {

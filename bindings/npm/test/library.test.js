@@ -68,9 +68,11 @@ test('explain refuses a pixel outside of the picture', async () => {
   });
 });
 
-test('explain and diff throw what is wrong with a scene', async () => {
+test('functions throw what is wrong with a scene', async () => {
   const broken = scene.replace('name="sphere"', 'name="spher"');
   const findings = (error) => error instanceof SceneError && error.findings.length > 0;
+  await assert.rejects(convert(broken, 'json'), (error) => findings(error) && /spher/.test(error.message));
+  await assert.rejects(format('<scenefile>\n<object></scenefile>'), (error) => findings(error) && /object/.test(error.message));
   await assert.rejects(explain(broken, 0, 0), findings);
   await assert.rejects(diff(scene, broken), findings);
 });
@@ -90,6 +92,14 @@ test('format is idempotent', async () => {
   assert.ok(once.split('\n').length > 15);
   assert.equal(await format(once), once);
   await assert.rejects(format('<scenefile'), SceneError);
+});
+
+test('names may have any form', async () => {
+  for (const name of ['./chess.xml', 'a//b.xml', '/home/u/chess.xml', 'C:\\a\\chess.xml']) {
+    assert.equal((await check(scene, { name })).verdict, 'fine');
+    assert.equal(await format(scene, { name }), await format(scene));
+  }
+  assert.equal((await convert(scene, 'json', { name: './chess.xml', files: { './x.png': new Uint8Array(1) } })).files.size, 0);
 });
 
 test('read counts', async () => {

@@ -176,6 +176,7 @@ Result<Texture> decode_image(std::string_view bytes, const Limits& limits, std::
     return picture.error();
   }
   budget -= picture->texture.rgb.size();
+  picture->texture.format = codec->format.name;
   return std::move(picture->texture);
 }
 

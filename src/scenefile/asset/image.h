@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace scenefile {
@@ -31,6 +32,7 @@ struct Texture {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> rgb;  ///< 3 * width * height
+  std::string_view format = {};   ///< of its file, PictureFormat::name; empty if it has none
 
   bool empty() const { return rgb.empty(); }
   const std::uint8_t* texel(int x, int y) const {

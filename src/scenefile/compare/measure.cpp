@@ -7,6 +7,7 @@
 
 #include <cstdlib>
 #include <string>
+#include <utility>
 
 namespace scenefile {
 
@@ -24,6 +25,15 @@ std::string text_beside(double value, double limit, int digits) {
     text = fmt::format("{:.{}f}", value, ++digits);
   }
   return text;
+}
+
+// The number of values that are equal in pictures of the same size.
+std::size_t equal_values(const Texture& a, const Texture& b) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) {
+    count += a.rgb[i] == b.rgb[i] ? 1 : 0;
+  }
+  return count;
 }
 
 }  // namespace
@@ -48,6 +58,19 @@ PictureMeasures measure(const Texture& reference, const Texture& test, int thres
     *flip_errors = std::move(map.errors);
   }
   return measures;
+}
+
+void round_alike(DecodedPicture& a, DecodedPicture& b) {
+  if (a.is_linear() == b.is_linear()) {
+    return;
+  }
+  DecodedPicture& linear = a.is_linear() ? a : b;
+  const Texture& other = a.is_linear() ? b.texture : a.texture;
+  Texture truncated = quantize(linear.linear, Rounding::truncate);
+  if (truncated.width == other.width && truncated.height == other.height &&
+      equal_values(truncated, other) > equal_values(linear.texture, other)) {
+    linear.texture = std::move(truncated);
+  }
 }
 
 std::vector<std::string> broken_thresholds(const Thresholds& thresholds,

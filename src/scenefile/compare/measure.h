@@ -2,6 +2,7 @@
 // All measures of the difference between two pictures, and thresholds for them.
 
 #include "scenefile/asset/compare_images.h"
+#include "scenefile/asset/image_file.h"
 
 #include <glm/glm.hpp>
 
@@ -31,6 +32,10 @@ struct PictureMeasures {
 /// by more. `flip_errors`, if not null, receives the error of each pixel.
 PictureMeasures measure(const Texture& reference, const Texture& test, int threshold = 8,
                         std::vector<float>* flip_errors = nullptr);
+
+/// If one picture has floats and the other 8-bit values, the floats become 8-bit values, too:
+/// clamped to [0, 1], and rounded or truncated, whichever gives more of the other's values.
+void round_alike(DecodedPicture& a, DecodedPicture& b);
 
 /// Limits that a picture must meet. If none is set, it must equal the reference.
 struct Thresholds {

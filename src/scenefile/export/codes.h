@@ -23,8 +23,7 @@ inline constexpr Code export_codes[] = {
      "single power of the distance, and dims the surface of glass. The pictures are similar, not "
      "equal."},
     {"pov.lost", Severity::warning, "POV-Ray cannot express this",
-     "The scene is written without it. POV-Ray opens texture files itself, so a texture that "
-     "cannot be found now is replaced by the diffuse color."},
+     "The scene is written without it."},
 };
 
 template <CodeName name>

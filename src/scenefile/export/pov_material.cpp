@@ -44,22 +44,11 @@ glm::vec3 ambient_of_pigment(const PovMaterial& m) {
   return ambient / glm::mix(pigment_color(m), glm::vec3(1), shown);
 }
 
-std::string_view image_kind(std::string_view path) {
-  const std::string_view extension = path.substr(path.rfind('.') + 1);
-  for (const std::string_view kind : {"jpeg", "gif", "tga", "bmp"}) {
-    if (equal_ignoring_case(extension, kind)) {
-      return kind;
-    }
-  }
-  return equal_ignoring_case(extension, "jpg") ? "jpeg" : "png";
-}
-
 std::string image(const PovMaterial& m, std::string_view mapping) {
   const RenderTexture& t = m.material->texture;
-  return fmt::format("image_map {{ {} {} gamma 1.0{} }} scale <{}, {}, 1> {}",
-                     image_kind(m.texture_path), pov_string(m.texture_path),
-                     m.options.texture_filter ? " interpolate 2" : "", 1 / t.repeat_u,
-                     1 / t.repeat_v, mapping);
+  return fmt::format("image_map {{ {} {} gamma 1.0{} }} scale <{}, {}, 1> {}", m.texture_kind,
+                     pov_string(m.texture_path), m.options.texture_filter ? " interpolate 2" : "",
+                     1 / t.repeat_u, 1 / t.repeat_v, mapping);
 }
 
 std::string pigment(const PovMaterial& m, std::string_view mapping) {
@@ -104,11 +93,14 @@ bool PovMaterial::transparent() const {
 }
 
 PovMaterial pov_material(const RenderScene& scene, std::uint32_t index,
+                         std::span<const Texture> textures,
                          std::span<const std::string> texture_paths, const PovOptions& options) {
-  PovMaterial m{&scene.materials[index], scene.global, options, {}};
+  PovMaterial m{&scene.materials[index], scene.global, options, {}, {}};
   const RenderTexture& texture = m.material->texture;
-  if (options.texture && texture.used() && m.material->blend > 0) {
+  if (options.texture && texture.used() && m.material->blend > 0 &&
+      !textures[texture.file].empty()) {
     m.texture_path = texture_paths[texture.file];
+    m.texture_kind = lower_case(textures[texture.file].format);
   }
   return m;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // Materials in POV-Ray's language. Internal to export.
 
+#include "scenefile/asset/image.h"
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/export/write_pov.h"
 #include "scenefile/scene/render_scene.h"
@@ -17,12 +18,14 @@ struct PovMaterial {
   RenderGlobal global;
   PovOptions options;
   std::string texture_path;  ///< empty: no visible texture
+  std::string texture_kind;  ///< "jpeg"
 
   bool textured() const { return !texture_path.empty(); }
   bool transparent() const;
 };
 
 PovMaterial pov_material(const RenderScene& scene, std::uint32_t index,
+                         std::span<const Texture> textures,
                          std::span<const std::string> texture_paths, const PovOptions& options);
 
 /// Reports how POV-Ray renders the material differently, each difference once per scene.

@@ -3,6 +3,7 @@
 #include "scenefile/base/base64.h"
 #include "scenefile/base/shape_traits.h"
 #include "scenefile/export/codes.h"
+#include "scenefile/export/flat_mesh.h"
 #include "scenefile/export/gltf_buffer.h"
 #include "scenefile/export/gltf_light.h"
 #include "scenefile/export/gltf_material.h"
@@ -237,10 +238,11 @@ class GltfWriter {
     if (is_new) {
       const RenderMaterial& material = ready_.materials[p.material];
       glm::vec2 repeat(1);
-      if (textures_.shows(material)) {
+      const bool textured = textures_.shows(material);
+      if (textured) {
         repeat = {material.texture.repeat_u, material.texture.repeat_v};
       }
-      add_mesh(p, geometry_of(p, shape, repeat), material_of(p.material));
+      add_mesh(p, geometry_of(p, shape, repeat, textured), material_of(p.material));
     }
     return entry->second;
   }
@@ -255,13 +257,19 @@ class GltfWriter {
                    material);
   }
 
-  GltfGeometry geometry_of(const RenderPrimitive& p, std::uint32_t shape, const glm::vec2& repeat) {
-    const auto [entry, is_new] = geometries_.try_emplace({shape, repeat.x, repeat.y});
+  // A texture needs coordinates; those of a mesh without any are 0, as in the ray tracer.
+  GltfGeometry geometry_of(const RenderPrimitive& p, std::uint32_t shape, const glm::vec2& repeat,
+                           bool textured) {
+    const bool adds_uvs =
+        textured && p.shape == Shape::mesh && assets_.meshes[p.mesh].triangle_uvs.empty();
+    const auto [entry, is_new] = geometries_.try_emplace({shape, repeat.x, repeat.y, adds_uvs});
     if (is_new) {
-      entry->second =
-          buffer_.add(flatten(p.shape == Shape::mesh ? assets_.meshes[p.mesh]
-                                                     : tessellate(p.shape, options_.segments)),
-                      repeat);
+      FlatMesh mesh = flatten(p.shape == Shape::mesh ? assets_.meshes[p.mesh]
+                                                     : tessellate(p.shape, options_.segments));
+      if (adds_uvs) {
+        mesh.uvs.resize(mesh.positions.size(), glm::vec2(0));
+      }
+      entry->second = buffer_.add(mesh, repeat);
     }
     return entry->second;
   }
@@ -432,7 +440,7 @@ class GltfWriter {
   std::uint32_t last_root_ = none;
   bool too_large_ = false;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> mesh_numbers_;
-  std::map<std::tuple<std::uint32_t, float, float>, GltfGeometry> geometries_;
+  std::map<std::tuple<std::uint32_t, float, float, bool>, GltfGeometry> geometries_;
   std::unordered_map<std::uint32_t, std::uint32_t> material_numbers_;
   std::set<std::string_view> extensions_;
   std::string meshes_;

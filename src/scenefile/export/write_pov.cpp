@@ -26,20 +26,13 @@ constexpr std::string_view radiosity =
 
 class PovWriter {
  public:
-  PovWriter(const RenderScene& scene, std::span<const Mesh> meshes,
+  PovWriter(const RenderScene& scene, const Assets& assets,
             std::span<const std::string> texture_paths, const PovOptions& options,
             Diagnostics& diagnostics)
-      : scene_(scene), meshes_(meshes), options_(options), diagnostics_(diagnostics) {
+      : scene_(scene), meshes_(assets.meshes), options_(options), diagnostics_(diagnostics) {
     for (std::uint32_t i = 0; i < scene.materials.size(); ++i) {
-      materials_.push_back(pov_material(scene, i, texture_paths, options));
+      materials_.push_back(pov_material(scene, i, assets.textures, texture_paths, options));
       report_differences(materials_.back(), diagnostics);
-    }
-    for (std::size_t i = 0; options.texture && i < texture_paths.size(); ++i) {
-      if (texture_paths[i].empty()) {
-        const FileReference& file = scene.texture_files[i];
-        diagnostics.report("pov.lost"_code, file.location,
-                           fmt::format("texture {} is not found", quoted(file.name)));
-      }
     }
   }
 
@@ -177,10 +170,10 @@ class PovWriter {
 
 }  // namespace
 
-std::string write_pov(const RenderScene& scene, std::span<const Mesh> meshes,
+std::string write_pov(const RenderScene& scene, const Assets& assets,
                       std::span<const std::string> texture_paths, const PovOptions& options,
                       Diagnostics& diagnostics) {
-  return PovWriter(scene, meshes, texture_paths, options, diagnostics).write();
+  return PovWriter(scene, assets, texture_paths, options, diagnostics).write();
 }
 
 }  // namespace scenefile

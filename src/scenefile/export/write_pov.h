@@ -2,8 +2,8 @@
 // Export to the scene description language of POV-Ray 3.7, for other renderings of the same scene
 // and to compare ray tracers.
 
+#include "scenefile/asset/load_assets.h"
 #include "scenefile/base/diagnostics.h"
-#include "scenefile/geometry/mesh.h"
 #include "scenefile/scene/render_scene.h"
 
 #include <span>
@@ -24,15 +24,15 @@ struct PovOptions {
   bool path = false;  ///< the scene is as use_face_materials() left it (export/face_materials.h)
 };
 
-/// Writes the scene in POV-Ray's language. `meshes` are those of RenderScene::mesh_files (smooth if
-/// they have normals). `texture_paths` are the paths of texture_files for POV-Ray; with an empty
-/// path, the diffuse color is used.
+/// Writes the scene in POV-Ray's language. Meshes are smooth if they have normals. `texture_paths`
+/// are the paths of texture_files for POV-Ray; instead of a texture that could not be used, the
+/// diffuse color is.
 ///
 /// Groups become `#declare`d unions that instances refer to, so the size of the text is linear in
 /// the size of the scene. Geometry, camera, texture coordinates, blend, mirrors, shadows, point and
 /// directional lights are exact; anything else is reported. Values are linear: render with
 /// `File_Gamma=1.0` to get the same pixels as this project. Codes: export/codes.h.
-std::string write_pov(const RenderScene& scene, std::span<const Mesh> meshes,
+std::string write_pov(const RenderScene& scene, const Assets& assets,
                       std::span<const std::string> texture_paths, const PovOptions& options,
                       Diagnostics& diagnostics);
 

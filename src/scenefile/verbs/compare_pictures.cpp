@@ -65,15 +65,6 @@ std::optional<glm::dvec2> place_asked(const CompareSettings& settings, const Sho
   return place;
 }
 
-// The number of values that are equal in pictures of the same size.
-std::size_t equal_values(const Texture& a, const Texture& b) {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < a.rgb.size(); ++i) {
-    count += a.rgb[i] == b.rgb[i] ? 1 : 0;
-  }
-  return count;
-}
-
 // Sets in which way the reference was drawn, with its samples, which the search for causes does not
 // need. It depends on the reference only, so that two pictures get the same answer; if the search
 // needed other features, a note says so.
@@ -182,19 +173,6 @@ PictureComparison compare_pictures(const Texture& reference, const Texture& test
                                    const LoadedScene* scene, const CompareSettings& settings,
                                    const std::function<bool(double)>& go_on) {
   return compare(reference, test, nullptr, scene, settings, go_on);
-}
-
-void round_alike(DecodedPicture& a, DecodedPicture& b) {
-  if (a.is_linear() == b.is_linear()) {
-    return;
-  }
-  DecodedPicture& linear = a.is_linear() ? a : b;
-  const Texture& other = a.is_linear() ? b.texture : a.texture;
-  Texture truncated = quantize(linear.linear, Rounding::truncate);
-  if (truncated.width == other.width && truncated.height == other.height &&
-      equal_values(truncated, other) > equal_values(linear.texture, other)) {
-    linear.texture = std::move(truncated);
-  }
 }
 
 PictureComparison compare_pictures(const DecodedPicture& reference, const DecodedPicture& test,

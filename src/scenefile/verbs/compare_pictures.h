@@ -101,10 +101,6 @@ PictureComparison compare_pictures(const Texture& reference, const Texture& test
                                    const CompareSettings& settings = {},
                                    const std::function<bool(double done)>& go_on = {});
 
-/// If one picture has floats and the other 8-bit values, the floats become 8-bit values, too:
-/// clamped to [0, 1], and rounded or truncated, whichever gives more of the other's values.
-void round_alike(DecodedPicture& a, DecodedPicture& b);
-
 /// The same for pictures from files, after round_alike(). If both have floats and the same size,
 /// their linear values are measured (PictureMeasures::difference); SSIM, FLIP, causes and places
 /// are always of 8-bit values.

@@ -14,7 +14,7 @@ namespace scenefile::viewer {
 namespace {
 
 // The path in the file; without views if there is no file.
-Result<CameraPath> read_views(const std::string& path, const Limits& limits) {
+Result<CameraPath> read_views(const std::string& path, const Camera& scene, const Limits& limits) {
   if (!stamp_of(path).exists) {
     return CameraPath{};
   }
@@ -22,7 +22,7 @@ Result<CameraPath> read_views(const std::string& path, const Limits& limits) {
   if (!text) {
     return text.error();
   }
-  Result<CameraPath> views = read_cameras(*text, Camera{}, limits);
+  Result<CameraPath> views = read_cameras(*text, scene, limits);
   return views ? std::move(views)
                : Error{fmt::format("{}:{}", file_name_of(path), views.error().text)};
 }
@@ -35,8 +35,8 @@ std::string views_file(const std::string& scene) {
 }
 
 Result<std::size_t> change_views(const std::string& path, const std::optional<Camera>& added,
-                                 const Limits& limits) {
-  Result<CameraPath> views = read_views(path, limits);
+                                 const Camera& scene, const Limits& limits) {
+  Result<CameraPath> views = read_views(path, scene, limits);
   if (!views) {
     return views.error();
   }

@@ -13,14 +13,19 @@ std::string_view role_word(Role role) {
   return words[static_cast<std::size_t>(role)];
 }
 
-Comparison compare_pictures(const Sides& sides, const Texture& left, const Texture& right) {
+Comparison compare_pictures(const Sides& sides, DecodedPicture left, DecodedPicture right) {
   Comparison comparison;
   comparison.sides = sides;
+  round_alike(left, right);
   // As diff: the reference comes first.
   const bool exchanged = sides.right == Role::reference;
-  const Texture& reference = exchanged ? right : left;
-  const Texture& other = exchanged ? left : right;
+  const Texture& reference = exchanged ? right.texture : left.texture;
+  const Texture& other = exchanged ? left.texture : right.texture;
   comparison.measures = measure(reference, other, 8, &comparison.flip_errors);
+  if (left.is_linear() && right.is_linear()) {
+    comparison.measures.difference = compare_images(left.linear, right.linear);
+    comparison.measures.linear = true;
+  }
   comparison.difference = heat_map(reference, other);
   comparison.flip = flip_picture(comparison.flip_errors, reference.width, reference.height);
   return comparison;

@@ -53,8 +53,8 @@ struct Comparison {
   std::vector<float> flip_errors;  ///< of the pixels
 };
 
-/// Takes about a second per megapixel; call it on another thread.
-Comparison compare_pictures(const Sides& sides, const Texture& left, const Texture& right);
+/// Measured as by `scenefile diff`. Takes about a second per megapixel; call it on another thread.
+Comparison compare_pictures(const Sides& sides, DecodedPicture left, DecodedPicture right);
 
 /// "PSNR 34.21 dB   SSIM 0.9812   FLIP 0.0312   max 77/255   2.1 % of pixels off by more than 8".
 std::string measures_text(const PictureMeasures& measures);

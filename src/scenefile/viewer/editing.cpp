@@ -170,6 +170,13 @@ void replace_edits(Session& session, const std::string& text) {
   load_edited_text(session);
 }
 
+// As an answer to a question. What was to happen after saving, such as quitting, does not: the
+// edits would be lost.
+void read_instead(Session& session, const std::string& text) {
+  session.after_saving = {};
+  replace_edits(session, text);
+}
+
 std::string file_text(const Session& session, const std::string& path) {
   const Result<std::string> text = read_file(path, session.setup.read.limits.file_bytes);
   return text ? *text : "";
@@ -506,7 +513,7 @@ void save_scene(Session& session) {
         scene_name(session) + " has been changed by another program.",
         {{"Replace its changes by mine", [](Session& s, const auto&) { write_text(s, s.path); }},
          {"Read it; Ctrl+Z brings my edits back",
-          [now](Session& s, const auto&) { replace_edits(s, now); }},
+          [now](Session& s, const auto&) { read_instead(s, now); }},
          {"Cancel", {}}}};
     return;
   }
@@ -536,7 +543,7 @@ void before_losing_edits(Session& session, std::function<void(Session&)> then) {
 }
 
 void ask_about_changed_file(Session& session, const std::string& text) {
-  const auto read = [text](Session& s, const std::string&) { replace_edits(s, text); };
+  const auto read = [text](Session& s, const std::string&) { read_instead(s, text); };
   const auto keep = [text](Session& s, const std::string&) { note_saved(s.editing, text); };
   const auto later = [](Session&, const std::string&) {};
   session.question = Question{scene_name(session) + " has been changed by another program.",

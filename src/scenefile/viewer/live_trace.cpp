@@ -144,7 +144,7 @@ void LiveTrace::Job::run(KeptStructure& kept) {
     }
   } catch (const std::bad_alloc&) {
     kept = {};
-    last = {{}, 1, true, seconds_since(start), "out of memory while tracing"};
+    last = {Texture(), 1, true, seconds_since(start), "out of memory while tracing"};
   }
   over = true;
   if (!cancelled) {

@@ -58,14 +58,13 @@ bool tick_trace(Session& session) {
 void start_comparison(Session& session, std::shared_ptr<const Texture> ours) {
   session.compare_started = true;
   const Sides sides = sides_of(session);
-  const auto texture = [&](Role role) {
+  const auto picture_as = [&](Role role) {
     const OtherPicture* const picture = picture_of(session, role);
-    return picture == nullptr
-               ? ours
-               : std::shared_ptr<const Texture>(picture->decoded, &picture->decoded->texture);
+    return picture == nullptr ? std::make_shared<const DecodedPicture>(DecodedPicture{*ours})
+                              : picture->decoded;
   };
   session.comparing.start(
-      [sides, left = texture(sides.left), right = texture(sides.right)] {
+      [sides, left = picture_as(sides.left), right = picture_as(sides.right)] {
         return compare_pictures(sides, *left, *right);
       },
       session.setup.wake);
@@ -111,7 +110,7 @@ bool tick_flight(Session& session, double seconds) {
   glm::dvec3 by{pressed("D", "A"), pressed("E", "Q"), pressed("W", "S")};
   double rise = 0;
   double speed = 5;
-  if (session.settings.assignment_keys) {
+  if (uses_assignment_keys(session)) {
     // From its handout: W A S D move along the view, Space and Control along the world's y axis, at
     // 5 world units per second.
     rise = pressed("Space", "Control");
@@ -454,6 +453,10 @@ void place_pictures(Session& session, const Box& room) {
       session.beside = picture_box(session, second);
     }
   }
+}
+
+bool uses_assignment_keys(const Session& session) {
+  return session.realtime && session.settings.assignment_keys;
 }
 
 CameraView camera_view(const Session& session) {

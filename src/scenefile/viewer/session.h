@@ -361,6 +361,8 @@ std::array<std::string, 3> value_texts(const Session& session, const PixelSource
 inline constexpr double pixels_for_values = 36;
 /// How large a pixel of the picture is in the window.
 double pixel_width(const Session& session, const PixelSource& source);
+/// Whether keys and mouse are those of the assignment Realtime.
+bool uses_assignment_keys(const Session& session);
 /// The box of the camera's view in the window, and its aspect ratio, which differs from that of the
 /// picture in the assignment Realtime.
 struct CameraView {

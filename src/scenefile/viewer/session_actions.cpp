@@ -113,9 +113,10 @@ void select_neighbor(Session& session) {
 template <bool adds>
 void change_path(Session& session) {
   const std::string path = views_file(session.path);
-  const Camera camera = camera_of(session.camera, session.shown->opened.camera());
+  const Camera scene = session.shown->opened.camera();
   const Result<std::size_t> views =
-      change_views(path, adds ? std::optional(camera) : std::nullopt, session.setup.read.limits);
+      change_views(path, adds ? std::optional(camera_of(session.camera, scene)) : std::nullopt,
+                   scene, session.setup.read.limits);
   if (!views) {
     say(session, fmt::format("cannot change the path of views: {}", views.error().text), true);
   } else {

@@ -401,7 +401,7 @@ bool tick_files(Session& session) {
           read_picture_later(session, {picture->path, role, false, true});
         }
       }
-      start_loading(session, true);
+      start_loading(session, !session.editing.new_file || stamp_of(session.path).exists);
       news = true;
     }
   }

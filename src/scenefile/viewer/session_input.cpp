@@ -71,7 +71,7 @@ Drag drag_of(Session& session, int button, const KeyPress& with) {
   }
   switch (button) {
     case 0:
-      if (session.settings.assignment_keys) {
+      if (uses_assignment_keys(session)) {
         return Drag::look;
       }
       return with.shift ? Drag::pan : with.control ? Drag::look : Drag::orbit;
@@ -128,7 +128,7 @@ bool key_pressed(Session& session, const KeyPress& key) {
     }
     return true;
   }
-  if (session.settings.assignment_keys ? is_assignment_key(key) : is_flying_key(key)) {
+  if (uses_assignment_keys(session) ? is_assignment_key(key) : is_flying_key(key)) {
     session.held.insert(key.name);
     return true;
   }

@@ -16,9 +16,12 @@ export const root = dirname(dirname(fileURLToPath(import.meta.url)));
 export const patience = 120_000; // ms, for busy machines
 export const sleep = (time) => new Promise((resolve) => setTimeout(resolve, time));
 
-/** Serves the page on a free port. PAGE: its folder, default out/page. */
-export async function servePage() {
-  const server = serverOf(process.env.PAGE ?? join(root, 'out/page'));
+/** The folder of the page, PAGE, default out/page. */
+export const pageFolder = process.env.PAGE ?? join(root, 'out/page');
+
+/** Serves the page, or a copy of it, on a free port. */
+export async function servePage(folder = pageFolder) {
+  const server = serverOf(folder);
   await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
   return { origin: `http://127.0.0.1:${server.address().port}`, close: () => server.close() };
 }

@@ -1,6 +1,6 @@
 // What the workers share: an instance of the core, which handles one call at a time. Messages are
 // { id, call, args }; answers are { id, value } or { id, error }, with `fatal` if the instance can no
-// longer be used.
+// longer be used, and `lost` if only another worker can draw.
 
 export let core = null;
 export const text = new TextDecoder();
@@ -109,13 +109,15 @@ const common = {
 async function handle(createScenefile, calls, { id, call, args }) {
   try {
     if (call === 'init') {
-      core = await createScenefile({
-        instantiateWasm(imports, done) {
-          WebAssembly.instantiate(args.module, imports).then((instance) => done(instance));
-          return {};
-        },
-        print: () => {},
-        printErr: () => {},
+      core = await new Promise((resolve, reject) => {
+        createScenefile({
+          instantiateWasm(imports, done) {
+            WebAssembly.instantiate(args.module, imports).then(done, reject);
+            return {};
+          },
+          print: () => {},
+          printErr: () => {},
+        }).then(resolve, reject);
       });
       core.FS.mkdirTree('/files');
       core.FS.mkdirTree('/out');
@@ -129,7 +131,7 @@ async function handle(createScenefile, calls, { id, call, args }) {
     // Traps (the stack or the memory is exhausted) and uncaught C++ exceptions end the instance.
     const fatal = error instanceof WebAssembly.RuntimeError || error instanceof WebAssembly.Exception;
     const message = error instanceof RangeError ? 'out of memory' : error.message;
-    postMessage({ id, error: message ?? String(error), fatal });
+    postMessage({ id, error: message ?? String(error), fatal, lost: error.lost });
   }
 }
 

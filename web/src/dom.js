@@ -23,11 +23,19 @@ export function download(name, parts, type = 'application/octet-stream') {
   setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }
 
-/** Debounce: calls `work` once `pause` milliseconds have passed without another call. */
+/** Debounce: calls `work` once `pause` milliseconds have passed without another call, or with now(), if a call waits. */
 export function afterPause(pause, work) {
   let timer = 0;
-  return (...args) => {
+  const later = () => {
     clearTimeout(timer);
-    timer = setTimeout(() => work(...args), pause);
+    timer = setTimeout(later.now, pause);
   };
+  later.now = () => {
+    if (timer !== 0) {
+      clearTimeout(timer);
+      timer = 0;
+      work();
+    }
+  };
+  return later;
 }

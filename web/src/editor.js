@@ -216,10 +216,12 @@ export class Editor {
     this.#view.focus();
   }
 
-  /** The correction that a finding proposes, with a function that applies it; null if there is none. */
+  /** The correction that a finding proposes, with a function that applies it unless the text has changed; null if there is none. */
   correctionOf(finding) {
+    const { doc } = this.#view.state;
     const found = correct(this.text, finding);
-    return found && { title: found.title, apply: () => this.#view.dispatch({ changes: found.changes, userEvent: 'input' }) };
+    const apply = () => doc === this.#view.state.doc && this.#view.dispatch({ changes: found.changes, userEvent: 'input' });
+    return found && { title: found.title, apply };
   }
 
   showFindings(findings) {

@@ -41,6 +41,7 @@ export class Engine {
   #worker = null;
   #ready = null;
   #waiting = new Map();
+  #timer = 0; // of the request that the worker handles
   #next = 1;
   /** The versions of the files, the scene and the camera that this worker has. */
   generation = -1;
@@ -98,27 +99,41 @@ export class Engine {
   #post(call, args, transfer, timeout) {
     return new Promise((resolve, reject) => {
       const id = this.#next++;
-      const timer = setTimeout(() => {
-        this.stop(new Stopped(`it took longer than ${Math.round(timeout / 1000)} seconds`, 'time'));
-      }, timeout);
-      this.#waiting.set(id, { resolve, reject, timer });
+      this.#waiting.set(id, { resolve, reject, timeout });
       this.#worker.postMessage({ id, call, args }, transfer);
+      if (this.#waiting.size === 1) {
+        this.#restartTimer();
+      }
     });
   }
 
-  #answer(worker, { id, value, error, fatal }) {
+  // The worker handles requests in order, and the time of each begins when the one before is answered.
+  #restartTimer() {
+    clearTimeout(this.#timer);
+    const [first] = this.#waiting.values();
+    if (first !== undefined) {
+      this.#timer = setTimeout(() => {
+        this.stop(new Stopped(`it took longer than ${Math.round(first.timeout / 1000)} seconds`, 'time'));
+      }, first.timeout);
+    }
+  }
+
+  #answer(worker, { id, value, error, fatal, lost }) {
     const request = this.#waiting.get(id);
     if (worker !== this.#worker || request === undefined) {
       return;
     }
     this.#waiting.delete(id);
-    clearTimeout(request.timer);
+    this.#restartTimer();
     if (fatal) {
       const stopped = new Stopped('it needs more memory than a page can use', 'memory');
       request.reject(stopped);
       this.stop(stopped);
     } else if (error !== undefined) {
       request.reject(new Error(error));
+      if (lost) {
+        this.stop();
+      }
     } else {
       request.resolve(value);
     }
@@ -131,8 +146,8 @@ export class Engine {
     this.#ready = null;
     this.generation = -1;
     this.opened = -1;
-    for (const { reject, timer } of this.#waiting.values()) {
-      clearTimeout(timer);
+    clearTimeout(this.#timer);
+    for (const { reject } of this.#waiting.values()) {
       reject(reason);
     }
     this.#waiting.clear();

@@ -41,8 +41,9 @@ const sizes = [[320, 240], [640, 480], [1024, 768], [1280, 720], [1920, 1080]];
 const text = new TextDecoder();
 const workers = Math.max(1, Math.min(navigator.hardwareConcurrency || 2, 8));
 
-// What is open in this tab. `files`: all files other than the scene, by path.
-const scene = { id: '', path: 'scene.xml', files: new Map(), filesVersion: 0, version: 0, unsafe: false, filesSaved: true };
+// What is open in this tab. `files`: all files other than the scene, by path. `stored`: not for links and examples until
+// they are edited.
+const scene = { id: '', path: 'scene.xml', files: new Map(), filesVersion: 0, version: 0, unsafe: false, filesSaved: true, stored: false };
 
 const checker = new Engine();
 let panel = null; // EditPanel, once it has been shown
@@ -59,7 +60,7 @@ const editor = new Editor(byId('editor'), {
     marks?.forget();
     panelFollows(changes);
     checkSoon();
-    saveSoon();
+    edited();
   },
   moved: (line) => !panelIsShown() && mark((some) => some.selectAt(editor.offsetOfLine(line))),
 });
@@ -208,6 +209,7 @@ async function checkAndDraw() {
     return;
   }
   store.begin(scene.id);
+  byId('stop').hidden = true;
   picture.open(now, begun).then(
     (opened) => {
       if (now.version !== scene.version) {
@@ -280,12 +282,16 @@ function showMissing(files) {
 
 // Opening.
 
-function setDocument({ id = store.newId(), path, content, files = new Map(), options = null, unsafe = false }) {
+function setDocument({ id = store.newId(), path, content, files = new Map(), options = null, unsafe = false, stored = true, linked = false }) {
+  saveAfterPause.now();
+  if (!linked) {
+    leaveLink();
+  }
   store.end(scene.id);
   if (scene.id !== '' && scene.id !== id) {
     store.release(scene.id);
   }
-  Object.assign(scene, { id, path, files, unsafe, filesVersion: scene.filesVersion + 1, version: scene.version + 1, filesSaved: false });
+  Object.assign(scene, { id, path, files, unsafe, stored, filesVersion: scene.filesVersion + 1, version: scene.version + 1, filesSaved: false });
   store.setTabDocument(id);
   store.hold(id);
   byId('name').value = baseName(path);
@@ -298,7 +304,8 @@ function setDocument({ id = store.newId(), path, content, files = new Map(), opt
   byId('cross').hidden = true;
   byId('left-out').textContent = '';
   marks?.forget();
-  picture.camera = null;
+  picture.camera = picture.written = null; // until the scene is open
+  byId('view-reset').disabled = byId('view-write').disabled = true;
   applyOptions(options);
   byId('findings').replaceChildren();
   byId('verdict').textContent = '';
@@ -346,11 +353,11 @@ async function take(list, forComparison = false) {
     scene.filesVersion += 1;
     scene.version += 1;
     scene.filesSaved = false;
-    saveSoon();
+    edited();
     run();
     return;
   }
-  openFrom(files, scenes, scenes[0]);
+  openFrom(files, scenes[0]);
 }
 
 // Opens a glTF or OBJ file as a new scene.
@@ -394,17 +401,20 @@ function sceneText(bytes) {
   }
 }
 
-function openFrom(files, scenes, path) {
-  const [content, guessed] = sceneText(files.get(path));
+// `files`: contents by path; those of scenes that were edited are strings.
+function openFrom(files, path, stored = true) {
+  const opened = files.get(path);
+  const [content, guessed] = typeof opened === 'string' ? [opened, false] : sceneText(opened);
   const others = new Map(files);
   others.delete(path);
-  setDocument({ path, content, files: others });
+  setDocument({ path, content, files: others, stored });
   if (guessed) {
     notice('encoding', `${path} is not in UTF-8; it was read as windows-1252. If letters are wrong, save it as UTF-8 in a text editor, and open it again.`);
   }
+  const scenes = [...files.keys()].filter(isSceneName);
   if (scenes.length > 1) {
     notice('scenes', `${scenes.length} scenes were opened; this is ${path}.`, {
-      actions: scenes.filter((other) => other !== path).slice(0, 30).map((other) => [other, () => openFrom(files, scenes, other)]),
+      actions: scenes.filter((other) => other !== path).slice(0, 30).map((other) => [other, () => openFrom(allFiles(), other)]),
     });
   }
 }
@@ -426,7 +436,8 @@ async function openExample({ path, files }) {
         [path, ...files].map(async (name) => [name, new Uint8Array(await (await fetch(`examples/${name}`)).arrayBuffer())]),
       ),
     );
-    openFrom(contents, [path], path);
+    openFrom(contents, path, false);
+    store.setTabDocument(path);
   } catch (error) {
     failed(error);
   }
@@ -454,7 +465,8 @@ function realtimeOf(values) {
 // The settings that are stored and linked.
 function keptOptions() {
   const { profile, mode, features, width, height, draw, realtime } = picture.options;
-  return { profile, mode, features, width, height, ...(draw < 0 ? {} : { draw }), ...(profile === 2 ? { realtime } : {}) };
+  const course = byId('course-reading').checked;
+  return { profile, mode, features, width, height, ...(draw < 0 ? {} : { draw }), ...(profile === 2 ? { realtime } : {}), ...(course ? { course } : {}) };
 }
 
 function applyOptions(options) {
@@ -471,6 +483,7 @@ function applyOptions(options) {
       width: whole(options.width, 1, 4096, 640),
       height: whole(options.height, 1, 4096, 480),
     };
+    byId('course-reading').checked = options.course === true;
   }
   showOptions();
 }
@@ -504,7 +517,7 @@ function showOptions() {
 function changeOptions(change) {
   Object.assign(picture.options, change);
   showOptions();
-  saveSoon();
+  edited();
   picture.draw();
 }
 
@@ -519,7 +532,7 @@ function featuresChanged() {
 byId('profile').addEventListener('change', () => {
   Object.assign(picture.options, { profile: Number(byId('profile').value), features: -1 });
   showOptions();
-  saveSoon();
+  edited();
   readAgain();
 });
 byId('mode').addEventListener('change', () => {
@@ -549,7 +562,10 @@ byId('stop').addEventListener('click', async () => {
   store.end(scene.id);
   byId('progress').textContent = 'stopped';
 });
-byId('course-reading').addEventListener('change', readAgain);
+byId('course-reading').addEventListener('change', () => {
+  edited();
+  readAgain();
+});
 
 // The text is read in another way.
 function readAgain() {
@@ -710,17 +726,33 @@ byId('helpers').addEventListener('change', () => mark((some) => some.show()));
 // Moving the camera, and explaining pixels.
 
 const canvas = byId('canvas');
-let drag = null;
+const pointers = new Map(); // those that are down: where, by id
+let drag = null; // by a single pointer
+
+// How far two fingers are apart.
+function spread() {
+  const [a, b = a] = pointers.values();
+  return Math.max(1, Math.hypot(a[0] - b[0], a[1] - b[1]));
+}
 
 canvas.addEventListener('pointerenter', () => picture.warmUp());
 canvas.addEventListener('focus', () => picture.warmUp());
 
 canvas.addEventListener('pointerdown', (event) => {
-  drag = { x: event.clientX, y: event.clientY, moved: false };
+  pointers.set(event.pointerId, [event.clientX, event.clientY]);
+  drag = pointers.size > 1 ? null : { x: event.clientX, y: event.clientY, moved: false };
   canvas.setPointerCapture(event.pointerId);
 });
 canvas.addEventListener('pointermove', (event) => {
-  if (drag === null || picture.view === null) {
+  if (picture.view === null || !pointers.has(event.pointerId)) {
+    return;
+  }
+  const before = spread();
+  pointers.set(event.pointerId, [event.clientX, event.clientY]);
+  if (pointers.size === 2) {
+    picture.closer(before / spread());
+  }
+  if (drag === null) {
     return;
   }
   const [dx, dy] = [event.clientX - drag.x, event.clientY - drag.y];
@@ -738,7 +770,12 @@ canvas.addEventListener('pointermove', (event) => {
     picture.orbit((dx / height) * Math.PI, (dy / height) * Math.PI);
   }
 });
+canvas.addEventListener('pointercancel', ({ pointerId }) => {
+  pointers.delete(pointerId);
+  drag = null;
+});
 canvas.addEventListener('pointerup', (event) => {
+  pointers.delete(event.pointerId);
   const click = drag !== null && !drag.moved;
   drag = null;
   if (click) {
@@ -768,7 +805,7 @@ function flyOn(time) {
   flown = time;
   const speed = held.has('shift') ? 2 : 0.5;
   const by = [0, 1, 2].map((axis) => speed * seconds * [...held].reduce((sum, key) => sum + (flying[key]?.[axis] ?? 0), 0));
-  if (by.some((x) => x !== 0)) {
+  if (picture.view !== null && by.some((x) => x !== 0)) {
     picture.fly(...by);
   }
   requestAnimationFrame(flyOn);
@@ -820,13 +857,21 @@ canvas.addEventListener('keydown', (event) => {
 });
 
 byId('view-reset').addEventListener('click', () => picture.resetView());
-byId('view-write').addEventListener('click', async () => {
+byId('view-write').addEventListener('click', () => rewrite((now) => picture.writeView(now), 'The view cannot be saved in the text'));
+
+// Replaces the text by what `work` makes of it. What the user does meanwhile takes precedence.
+async function rewrite(work, problem) {
+  const now = sceneNow();
   try {
-    editor.replace(await picture.writeView(sceneNow()));
+    const changed = await work(now);
+    if (now.version !== scene.version) {
+      throw new Error('the scene has changed meanwhile; try again');
+    }
+    editor.replace(changed);
   } catch (error) {
-    failed(new Error(`The view cannot be saved in the text: ${error.message}`));
+    failed(new Error(`${problem}: ${error.message}`));
   }
-});
+}
 
 function selectLine(line) {
   showTab('text');
@@ -944,13 +989,7 @@ byId('share').addEventListener('click', async () => {
   }
 });
 
-byId('format').addEventListener('click', async () => {
-  try {
-    editor.replace(await picture.format(sceneNow()));
-  } catch (error) {
-    failed(new Error(`The text cannot be formatted: ${error.message}`));
-  }
-});
+byId('format').addEventListener('click', () => rewrite((now) => picture.format(now), 'The text cannot be formatted'));
 byId('undo').addEventListener('click', () => editor.undo());
 byId('redo').addEventListener('click', () => editor.redo());
 
@@ -960,7 +999,7 @@ byId('name').addEventListener('change', () => {
   byId('name').value = name;
   scene.version += 1;
   document.title = `${name} – scenefile`;
-  saveSoon();
+  edited();
   run();
 });
 
@@ -968,7 +1007,29 @@ byId('name').addEventListener('change', () => {
 
 let savesAsked = 0;
 
+const inAddress = (key) => new URLSearchParams(location.hash.slice(1)).has(key);
+
+// A link in the address would take precedence when the page is loaded again.
+function leaveLink() {
+  if (inAddress('s')) {
+    history.replaceState(null, '', inAddress('embed') ? '#embed' : location.pathname + location.search);
+  }
+}
+
+// The user changed the scene or its settings.
+function edited() {
+  leaveLink();
+  if (!scene.stored) {
+    scene.stored = true;
+    store.setTabDocument(scene.id);
+  }
+  saveSoon();
+}
+
 function saveSoon() {
+  if (!scene.stored) {
+    return;
+  }
   savesAsked += 1;
   delete document.body.dataset.saved;
   saveAfterPause();
@@ -986,7 +1047,9 @@ const saveAfterPause = afterPause(400, async () => {
       document.body.dataset.saved = unsafe ? 'unsafe' : 'yes';
     }
   } catch (error) {
-    scene.filesSaved = filesSaved;
+    if (id === scene.id) {
+      scene.filesSaved = filesSaved;
+    }
     notice('saving', `The browser cannot store this scene: ${error.message}`);
   }
 });
@@ -1021,7 +1084,7 @@ function openLink() {
     return false;
   }
   clearNotice('link');
-  setDocument({ path: baseName(linked.name), content: linked.text, options: linked.options ?? null });
+  setDocument({ path: baseName(linked.name), content: linked.text, options: linked.options ?? null, stored: false, linked: true });
   return true;
 }
 
@@ -1031,6 +1094,11 @@ async function openFirst() {
   }
   try {
     const own = store.tabDocument();
+    const example = examples.find(({ path }) => path === own);
+    if (example !== undefined) {
+      openExample(example);
+      return;
+    }
     if (own !== null && (await openKept(own))) {
       return;
     }
@@ -1046,7 +1114,11 @@ async function openFirst() {
 }
 
 addEventListener('hashchange', openLink);
-addEventListener('pagehide', () => store.end(scene.id));
+addEventListener('visibilitychange', () => document.visibilityState === 'hidden' && saveAfterPause.now());
+addEventListener('pagehide', () => {
+  saveAfterPause.now();
+  store.end(scene.id);
+});
 
 // Menus, tabs, theme.
 
@@ -1172,7 +1244,7 @@ addEventListener('drop', async (event) => {
   }
 }, { capture: true });
 
-if (new URLSearchParams(location.hash.slice(1)).has('embed')) {
+if (inAddress('embed')) {
   document.body.classList.add('embedded');
 }
 showTab('picture');

@@ -41,6 +41,7 @@ export class Picture {
   #previewing = false;
   #settled = 0;
   #scene = null; // { path, text, files, filesVersion, version, course, materials }
+  #opening = 0; // how many scenes are being opened; what is asked to be drawn meanwhile is drawn afterwards
   #litByFaces = false; // only by materials of faces that emit light
   #lookVersion = 0;
   #told;
@@ -117,6 +118,15 @@ export class Picture {
 
   /** Opens another scene, or the same one after a change at the time `changed`. Resolves to the core's answer about it. */
   async open(scene, changed) {
+    this.#opening += 1;
+    try {
+      return await this.#open(scene, changed);
+    } finally {
+      this.#opening -= 1;
+    }
+  }
+
+  async #open(scene, changed) {
     const job = await this.#endOldWork(changed);
     if (job !== this.#job) {
       throw new Stopped('it was replaced', 'replaced');
@@ -195,7 +205,7 @@ export class Picture {
 
   /** Draws the picture; cancels a drawing in progress. */
   async draw() {
-    if (this.#scene === null) {
+    if (this.#scene === null || this.#opening > 0) {
       return;
     }
     const job = await this.#endOldWork();
@@ -461,7 +471,7 @@ export class Picture {
 
   // Previews while the camera moves, as small as needed to be quick.
   async #preview() {
-    if (this.#previewing || this.#scene === null) {
+    if (this.#previewing || this.#scene === null || this.#opening > 0) {
       return;
     }
     this.#previewing = true;

@@ -74,6 +74,7 @@ export async function save({ id, path, text, options, unsafe }, files) {
   if (files !== null) {
     requests.push(result(to.files.put([...files], id)));
   }
+  to.documents.transaction.commit(); // now, as the page may be about to end
   await Promise.all(requests);
 }
 

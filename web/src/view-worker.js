@@ -10,7 +10,7 @@ let context = null;
 // Sets the size of the canvas, and calls `work` with a pointer to the settings of the profile realtime.
 function atSize({ width, height, profile, realtime }, work) {
   if (context.isContextLost()) {
-    throw new Error('the graphics driver was reset; try again');
+    throw Object.assign(new Error('the graphics driver was reset; try again'), { lost: true });
   }
   if (canvas.width !== width || canvas.height !== height) {
     canvas.width = width;

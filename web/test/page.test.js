@@ -2,7 +2,7 @@
 // the page, default out/page. NATIVE: a native program, to compare pictures with.
 
 import assert from 'node:assert/strict';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, mkdtempSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -12,7 +12,7 @@ import { strFromU8, unzipSync, zipSync } from 'fflate';
 import { chromium } from 'playwright-core';
 
 import { linkOf } from '../src/link.js';
-import { nativePicture, patience, psnrOfCanvas, root, servePage, skipNative } from '../testing.js';
+import { nativePicture, pageFolder, patience, psnrOfCanvas, root, servePage, skipNative } from '../testing.js';
 
 const hello = readFileSync(join(root, 'scenes/hello.xml'), 'utf8');
 
@@ -149,6 +149,37 @@ const canvasOf = (some = page) =>
 const pixels = async (some = page) => (await canvasOf(some)).hash;
 /** Waits until what was asked to be painted at the next animation frame has been painted. */
 const painted = () => page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => resolve())));
+
+// Between hold() and release(), workers wait with calls of one name, and with what comes after them.
+function holdCalls() {
+  let waiting = [];
+  globalThis.hold = { call: '', reached: false };
+  globalThis.release = () => {
+    globalThis.hold.call = '';
+    waiting.forEach((send) => send());
+    waiting = [];
+  };
+  globalThis.Worker = class extends Worker {
+    #waits = false;
+    postMessage(...args) {
+      const { hold } = globalThis;
+      this.#waits = hold.call !== '' && (this.#waits || args[0].call === hold.call);
+      hold.reached ||= this.#waits;
+      if (this.#waits) {
+        waiting.push(() => super.postMessage(...args));
+      } else {
+        super.postMessage(...args);
+      }
+    }
+  };
+}
+/** Does something that makes a worker wait with a call of this name. Needs holdCalls(). */
+async function hold(call, act) {
+  await page.evaluate((name) => (globalThis.hold = { call: name, reached: false }), call);
+  await act();
+  await page.waitForFunction(() => globalThis.hold.reached);
+}
+const release = () => page.evaluate(() => globalThis.release());
 
 test('opens with an example, drawn and without findings', async () => {
   await open();
@@ -288,6 +319,24 @@ test('a quick fix corrects a misspelled name, and can be undone', async () => {
   await page.waitForFunction(() => document.getElementById('editor').shadowRoot.textContent.includes('hightangle'));
 });
 
+test('what was computed for an older text does not change the current one', async () => {
+  await page.addInitScript(holdCalls);
+  await open();
+  await hold('format', () => page.click('#format'));
+  const changed = hello.replace('</scenefile>', '');
+  await type(changed); // is not drawn, which would stop the formatting
+  await release();
+  await page.waitForSelector('text=The text cannot be formatted: the scene has changed meanwhile');
+  assert.equal(await wholeText(), changed);
+  await type(hello.replace('<heightangle', '<hightangle'));
+  const fix = page.locator('#findings button', { hasText: 'Change hightangle to heightangle' });
+  await fix.evaluate((button) => {
+    button.click();
+    button.click();
+  });
+  assert.equal(await wholeText(), hello);
+});
+
 test('findings say what they mean', async () => {
   await open();
   await type(hello.replace('<heightangle', '<hightangle'));
@@ -333,6 +382,29 @@ test('orbits by mouse and keys, and writes the view into the text', async () => 
   assert.equal(await page.textContent('#verdict'), 'no errors, no warnings');
 });
 
+test('two fingers move the camera closer, and do not turn it', async () => {
+  await context.close();
+  context = await browser.newContext({ viewport: { width: 400, height: 800 }, hasTouch: true, acceptDownloads: true });
+  page = await newPage();
+  await open();
+  const box = await page.locator('#canvas').boundingBox();
+  const devtools = await context.newCDPSession(page);
+  const fingers = (...places) =>
+    places.map((dx, id) => ({ x: box.x + box.width / 2 + dx, y: box.y + box.height / 2, id }));
+  const touch = (type, touchPoints) => devtools.send('Input.dispatchTouchEvent', { type, touchPoints });
+  await touch('touchStart', fingers(-60));
+  await touch('touchStart', fingers(-60, 60));
+  for (let d = 62; d <= 90; d += 2) {
+    await touch('touchMove', fingers(-d, d));
+  }
+  await andDraw(() => touch('touchEnd', []));
+  await andDraw(() => page.click('#view-write'));
+  const position = /<pos x="(.*?)" y="(.*?)" z="(.*?)"/.exec(await wholeText()).slice(1).map(Number);
+  const [before, after] = [[3, 2.2, 4], position].map(([x, y, z]) => [x, y - 0.3, z]); // from the focus
+  const cosine = before.reduce((sum, x, i) => sum + x * after[i], 0) / Math.hypot(...before) / Math.hypot(...after);
+  assert.ok(cosine > 0.9999 && Math.hypot(...after) < 0.75 * Math.hypot(...before), String(position));
+});
+
 test('profiles, modes, features and sizes', async () => {
   await open();
   const seen = [await pixels()];
@@ -349,6 +421,24 @@ test('profiles, modes, features and sizes', async () => {
   await look(() => page.locator('#features label', { hasText: 'shadows' }).click());
   await look(() => page.selectOption('#size', '320x240'));
   assert.equal(new Set(seen).size, seen.length - 1, 'only the picture of the profile course appears twice');
+});
+
+test('a size chosen while a scene opens does not keep the camera and findings of the scene before', async () => {
+  await page.addInitScript(holdCalls);
+  await open();
+  const second = hello.replace(/<pos [^>]*>/, '<pos x="-9" y="2" z="1"/>').replace('name="root"', 'name="root" oops="1"');
+  await hold('open', () => give({ 'second.xml': second }));
+  await page.selectOption('#size', '320x240');
+  assert.ok(await page.isDisabled('#view-write'));
+  await page.waitForTimeout(200); // another drawing would have canceled the opening
+  await release();
+  await drawn(page, 2);
+  assert.equal(await page.textContent('#verdict'), '0 errors, 1 warning');
+  assert.equal((await canvasOf()).hash.split(' ')[0], '320');
+  await page.focus('#canvas');
+  await andDraw(() => page.keyboard.press('ArrowRight'));
+  await andDraw(() => page.click('#view-write'));
+  assert.match(await textOf(), /<pos x="-8\.8/);
 });
 
 const likeNative = (path, ...options) => page.evaluate(psnrOfCanvas, nativePicture(path, '--size', '320x240', ...options));
@@ -601,6 +691,33 @@ test('without WebGL2 pictures are traced, and OpenGL says why it cannot draw', a
   } finally {
     await plain.close();
   }
+});
+
+test('OpenGL draws again after the graphics driver was reset', async () => {
+  await page.route('**/view-worker.js', async (route) => {
+    const response = await route.fetch();
+    const losing = `const { getContext } = OffscreenCanvas.prototype;
+      OffscreenCanvas.prototype.getContext = function (...args) {
+        const context = getContext.apply(this, args);
+        const channel = new BroadcastChannel('lose');
+        channel.onmessage = () => {
+          context.getExtension('WEBGL_lose_context').loseContext();
+          channel.postMessage('lost');
+        };
+        return context;
+      };\n`;
+    await route.fulfill({ response, body: losing + (await response.text()) });
+  });
+  await openWith('scenes/hello.xml', { draw: 0 });
+  await page.evaluate(() => new Promise((resolve) => {
+    const channel = new BroadcastChannel('lose');
+    channel.onmessage = resolve;
+    channel.postMessage('lose');
+  }));
+  await page.selectOption('#mode', { label: 'OpenGL normals' });
+  await page.waitForSelector('text=The picture cannot be drawn: the graphics driver was reset; try again.');
+  await andDraw(() => page.selectOption('#mode', { label: 'OpenGL shaded' }));
+  assert.equal(await page.innerText('#notices'), '');
 });
 
 const wholeText = async () => (await save('#save-scene')).bytes.toString();
@@ -965,6 +1082,23 @@ test('compares with a picture, names the mistake, and explains a pixel', async (
   assert.match(await page.innerText('#explain-result'), /Yours equals ours .*specular/);
 });
 
+test('a picture can be saved during a long comparison', async () => {
+  await page.addInitScript(holdCalls);
+  await page.addInitScript(() => {
+    const { setTimeout } = globalThis;
+    globalThis.setTimeout = (work, time, ...args) => setTimeout(work, time >= 9000 ? time / 3 : time, ...args); // limits of time
+  });
+  await open();
+  const { bytes } = await save('#save-png');
+  await hold('compare', () => page.setInputFiles('#picture-input', { name: 'mine.png', mimeType: 'image/png', buffer: bytes }));
+  const saved = save('#save-png');
+  await page.waitForTimeout(4000);
+  await release();
+  await page.waitForSelector('text=The pictures are equal.');
+  assert.deepEqual((await saved).bytes, bytes);
+  assert.equal(await page.innerText('#notices'), '');
+});
+
 test('saves the scene, a zip, a PNG and every format', async () => {
   await open();
   const scene = await save('#save-scene');
@@ -1052,8 +1186,82 @@ test('keeps the scene, and two tabs do not overwrite each other', async () => {
   await page.close();
   page = await newPage();
   await open();
+  await giveAndDraw({ 'new.xml': hello });
   await page.click('#open-menu summary');
   await page.waitForSelector('#recent button');
+});
+
+test('edits stay when another scene is opened, and when the page is left', async () => {
+  await open();
+  const [first, second] = [hello.replace('v="35"', 'v="50"'), hello.replace('v="35"', 'v="60"')];
+  const go = async (name) => {
+    await page.locator('.notice button', { hasText: name }).click();
+    await page.waitForFunction((expected) => document.getElementById('name').value === expected, name);
+  };
+  await giveAndDraw({ 'a.xml': hello, 'b.xml': hello });
+  await type(first);
+  await go('b.xml');
+  const zip = unzipSync((await save('#save-zip')).bytes);
+  assert.deepEqual(Object.keys(zip).sort(), ['a.xml', 'b.xml']);
+  assert.equal(strFromU8(zip['a.xml']), first);
+  await type(second);
+  await go('a.xml');
+  assert.equal(await wholeText(), first);
+  await go('b.xml');
+  assert.equal(await wholeText(), second);
+  await type(hello.replace('v="35"', 'v="70"'));
+  await page.reload();
+  await drawn();
+  assert.match(await wholeText(), /v="70"/);
+});
+
+test('a link in the address does not hide later edits, and is only stored with edits', async () => {
+  const stored = () =>
+    page.evaluate(() => new Promise((resolve) => {
+      indexedDB.open('scenefile').onsuccess = ({ target: { result: database } }) => {
+        database.transaction('documents').objectStore('documents').count().onsuccess = ({ target }) => resolve(target.result);
+      };
+    }));
+  const fragment = () => page.evaluate(() => location.hash);
+  const link = linkOf({ name: 'linked.xml', text: hello, options: { profile: 1, mode: 0, features: -1, ...inSize, course: true } });
+  await open(link);
+  assert.ok(await page.isChecked('#course-reading'));
+  await page.waitForTimeout(600); // edits would be stored by now
+  assert.equal(await stored(), 0);
+  const edited = hello.replace('v="35"', 'v="50"');
+  await andSave(() => type(edited));
+  assert.equal(await stored(), 1);
+  assert.equal(await fragment(), '');
+  await page.reload();
+  await drawn();
+  assert.equal(await wholeText(), edited);
+  assert.ok(await page.isChecked('#course-reading'));
+  await page.click('#share');
+  await page.waitForSelector('[data-key="shared"]');
+  await andSave(() => page.uncheck('#course-reading'));
+  await page.reload();
+  await drawn();
+  assert.equal(await page.isChecked('#course-reading'), false);
+  await andDraw(() => page.evaluate((hash) => (location.hash = hash), link.replace('#', '#embed&')));
+  await andDraw(() => page.selectOption('#size', '640x480'));
+  assert.equal(await fragment(), '#embed');
+  await andDraw(() => page.evaluate((hash) => (location.hash = hash), link));
+  assert.equal(await fragment(), link);
+  await giveAndDraw({ 'other.xml': hello });
+  assert.equal(await fragment(), '');
+});
+
+test('an example is shown again when the page is loaded again', async () => {
+  await open();
+  await andSave(() => type(hello.replace('v="35"', 'v="50"')));
+  await andDraw(async () => {
+    await page.click('#open-menu summary');
+    await page.locator('#examples button').nth(2).click();
+  });
+  const name = await page.inputValue('#name');
+  await page.reload();
+  await drawn();
+  assert.equal(await page.inputValue('#name'), name);
 });
 
 // A scene that is slow to draw: mirrors in mirrors, at the maximum depth and size.
@@ -1105,6 +1313,51 @@ test('opens without a network after the first visit', async () => {
   await page.click('#open-menu summary');
   await page.locator('#examples button').nth(2).click();
   await drawn(page, before + 1);
+});
+
+test('a new version of the page starts when no tab shows the old one', async () => {
+  const folder = mkdtempSync(join(tmpdir(), 'scenefile-host-'));
+  cpSync(pageFolder, folder, { recursive: true });
+  const host = await servePage(folder);
+  const usual = origin;
+  origin = host.origin;
+  const kept = () => page.evaluate(() => caches.keys());
+  try {
+    await open();
+    await page.evaluate(() => navigator.serviceWorker.ready);
+    const [old] = await kept();
+    const other = `scenefile-${origin}/other/-1`; // of a page in another folder
+    await page.evaluate((name) => caches.open(name), other);
+    // The panels of the new version have another name.
+    const panel = readdirSync(folder).find((name) => /^panel-.*\.js$/.test(name));
+    renameSync(join(folder, panel), join(folder, 'panel-new.js'));
+    for (const path of ['main.js', 'service-worker.js'].map((name) => join(folder, name))) {
+      writeFileSync(path, readFileSync(path, 'utf8').replaceAll(panel, 'panel-new.js').replace(old.split('-').at(-1), 'new'));
+    }
+    await page.reload();
+    await drawn();
+    await page.evaluate(async () => (await navigator.serviceWorker.ready).update());
+    await until(() => page.evaluate(async (name) => (await navigator.serviceWorker.ready).waiting !== null || !(await caches.has(name)), old));
+    await openPanels();
+    await page.goto('about:blank');
+    await open();
+    await until(async () => !(await kept()).includes(old));
+    assert.ok((await kept()).includes(other));
+    await openPanels();
+  } finally {
+    origin = usual;
+    host.close();
+    rmSync(folder, { recursive: true });
+  }
+});
+
+test('a module that does not fit its script is reported at once', async () => {
+  await page.route('**/worker.js', async (route) => {
+    const response = await route.fetch();
+    await route.fulfill({ response, body: `const { instantiate } = WebAssembly; WebAssembly.instantiate = (module) => instantiate(module, {});\n${await response.text()}` });
+  });
+  await page.goto(`${origin}/`);
+  await page.waitForSelector('text=The picture cannot be drawn: WebAssembly.instantiate', { timeout: 30_000 }); // not only when the time to load is over
 });
 
 test('the page works with only the keyboard', async () => {

@@ -77,13 +77,15 @@ export function editEngine() {
 
 async function load() {
   const module = await moduleOf('scenefile-edit.wasm');
-  const core = await createScenefile({
-    instantiateWasm(imports, done) {
-      WebAssembly.instantiate(module, imports).then((instance) => done(instance));
-      return {};
-    },
-    print: () => {},
-    printErr: () => {},
+  const core = await new Promise((resolve, reject) => {
+    createScenefile({
+      instantiateWasm(imports, done) {
+        WebAssembly.instantiate(module, imports).then(done, reject);
+        return {};
+      },
+      print: () => {},
+      printErr: () => {},
+    }).then(resolve, reject);
   });
   return new EditEngine(core);
 }

@@ -507,6 +507,11 @@ TEST(Causes, ColorOfALight) {
       Cause::lights, [](RenderScene& s) { s.lights.front().color *= glm::vec3(1, 0.4f, 0.2f); });
 }
 
+// Half and twice are mistakes of their own only for terms.
+TEST(Causes, ALightIsHalfAsBright) {
+  expect_named_if_changed(Cause::lights, [](RenderScene& s) { s.lights.front().color *= 0.5f; });
+}
+
 TEST(Causes, ALitPictureWhereNormalsAreExpected) {
   for (std::uint32_t seed = 1; seed <= 3; ++seed) {
     const GeneratedScene scene(seed);
@@ -950,7 +955,7 @@ TEST(Causes, OneEditedValueOfTheScene) {
        [&](Scene& s) {
          object(s, 2).primitives[0].material.diffuse = {0.1f, 0.9f, 0.2f};
        }},
-      {"the blend of the cylinder",
+      {"the blend of the cylinder is 1 instead",
        [&](Scene& s) { object(s, 3).primitives[0].material.blend = 1; }},
       {"the translation of an object",
        [&](Scene& s) {

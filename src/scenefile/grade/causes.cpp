@@ -215,11 +215,10 @@ bool breaks_pixels(const Simulation& sim, const Pixels& pixels, const Tried& t) 
   const Colors wrong = drawn_at(sim, t.mistakes, points);
   double broken = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto is_right = [&](const dvec3& color) {
-      return largest_of(glm::abs(glm::clamp(color, dvec3(0), dvec3(255)) - points[i].test)) <=
-             right_within;
+    const auto off = [&](const dvec3& color) {
+      return largest_of(glm::abs(glm::clamp(color, dvec3(0), dvec3(255)) - points[i].test));
     };
-    broken += is_right(right[i]) && !is_right(wrong[i]) ? points[i].weight : 0;
+    broken += off(right[i]) <= tolerance && off(wrong[i]) > 2 * tolerance ? points[i].weight : 0;
   }
   return broken > much * sim.weight_that_differs(sim.points.size());
 }
@@ -372,7 +371,7 @@ void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& 
   }
   std::vector<std::string> same;
   const Colors shown = sim.predicted(found.mistakes, sim.points.size());
-  int same_cause = 0;
+  std::size_t same_cause = 0;
   std::set<std::string_view> words{sim.list[found.mistakes.front()].what};
   for (const Tried& t : others) {
     const Hypothesis& h = sim.list[t.mistakes.front()];
@@ -383,8 +382,8 @@ void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& 
                         h.cause == sim.list[found.mistakes.front()].cause ||
                         std::any_of(report.rivals.begin(), report.rivals.end(),
                                     [&](const Claim& c) { return c.cause == h.cause; });
-    if (t.mistakes.size() == 1 && t.mistakes != found.mistakes && good(t) && same_cause < 2 &&
-        t.mistakes.front() < sim.first_fitted &&
+    if (t.mistakes.size() == 1 && t.mistakes != found.mistakes && good(t) &&
+        same_cause + 1 < max_ties && t.mistakes.front() < sim.first_fitted &&
         h.cause == sim.list[found.mistakes.front()].cause &&
         equal_colors(shown, sim.predicted(t.mistakes, sim.points.size()))) {
       ++same_cause;
@@ -730,6 +729,7 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
       claim(sim, *edit, {}, {}, report);
       return;
     }
+    found.reset();
   }
   if (found && shows_much(sim, *found) &&
       (sure(*found) || causes_as_good(sim, *found, alone) < 3)) {

@@ -375,8 +375,20 @@ bool Search::improve(const SceneValue& value, Fit& fit, const Cells& cells, int 
          fit.left <= 3 * near * static_cast<double>(cells.test.size());
 }
 
+// Of all numbers with the same picture those that are most like the written ones.
+void make_likely(const SceneValue& value, std::vector<double>& numbers) {
+  const auto length = [](const std::vector<double>& v) {
+    return std::sqrt(std::inner_product(v.begin(), v.end(), v.begin(), 0.0));
+  };
+  const double scale = value.direction ? length(value.numbers) / length(numbers) : 1;
+  for (double& number : numbers) {
+    number = std::clamp(number * scale, value.range.low, value.range.high);
+  }
+}
+
 // With as few decimals as the picture allows, because people write such numbers.
 void Search::round(const SceneValue& value, Fit& fit) const {
+  make_likely(value, fit.numbers);
   constexpr double rounding = 0.02;  // squared error
   const double limit = 1.02 * fit.left + rounding * static_cast<double>(levels_.back().test.size());
   for (const double unit : {1.0, 0.1, 0.01, 0.001}) {

@@ -34,6 +34,7 @@ constexpr double right_angle = std::numbers::pi / 2;
 struct Group {
   std::vector<double> knots;                      // rising
   std::function<void(Trial&, const Curve&)> set;  // replaces the function
+  std::function<double(double)> written = {};     // the function in the file, of lights
 };
 
 // The scene with mistakes that were made, too.
@@ -221,6 +222,7 @@ std::vector<Group> groups_of_lights(
     const Made& made, std::vector<std::pair<Key, Curve>> ModelMistakes::*member,
     bool (*has_function)(LightType), const std::function<Key(const RenderLight&)>& key_of,
     const std::function<double(const RenderLight&, const dvec3&)>& argument,
+    const std::function<double(const Key&, double)>& written,
     const std::function<std::vector<double>(std::vector<double>)>& knots) {
   std::vector<std::pair<Key, std::vector<double>>> arguments;
   for (const RenderLight& light : made.trial.scene.lights) {
@@ -239,9 +241,11 @@ std::vector<Group> groups_of_lights(
   }
   std::vector<Group> groups;
   for (auto& [key, values] : arguments) {
-    groups.push_back({knots(std::move(values)), [=, key = key](Trial& t, const Curve& curve) {
+    groups.push_back({knots(std::move(values)),
+                      [=, key = key](Trial& t, const Curve& curve) {
                         (t.mistakes.*member).emplace_back(key, curve);
-                      }});
+                      },
+                      [=, key = key](double x) { return written(key, x); }});
   }
   return groups;
 }
@@ -252,6 +256,9 @@ std::vector<Group> groups_of_fading(const Made& made) {
       [](const RenderLight& light) { return light.attenuation; },
       [](const RenderLight& light, const dvec3& point) {
         return glm::length(dvec3(light.position) - point);
+      },
+      [](const glm::vec3& c, double distance) {
+        return std::min(1.0, 1 / (c.x + c.y * distance + c.z * distance * distance));
       },
       [&](std::vector<double> distances) {
         return quantiles(std::move(distances), 16 / made.detail.knots_divided_by);
@@ -278,6 +285,9 @@ std::vector<Group> groups_of_cones(const Made& made) {
         const dvec3 way = glm::normalize(point - dvec3(light.position));
         return std::acos(std::clamp(glm::dot(way, dvec3(light.direction)), -1.0, 1.0));
       },
+      [](const glm::vec2& angles, double angle) {
+        return 1 - glm::smoothstep(double(angles.x), double(angles.y) + 1e-6, angle);
+      },
       [&](const std::vector<double>& angles) {
         return evenly(*std::min_element(angles.begin(), angles.end()),
                       *std::max_element(angles.begin(), angles.end()),
@@ -303,6 +313,10 @@ std::vector<Group> group_of_diffuse(const Made& made) {
 }
 
 std::string words_of_diffuse(const Curve& c) {
+  constexpr double told = 0.005;
+  if (std::abs(c.at(0.3) - 0.3) < told && std::abs(c.at(0.8) - 0.8) < told) {
+    return {};  // as it should be
+  }
   return fmt::format(
       "the diffuse term depends on N.L in another way: its factor is {:.2g} where N.L is 0.3, and "
       "{:.2g} where N.L is 0.8",
@@ -382,17 +396,32 @@ std::vector<Group> groups_of(const Made& made, Term term) {
   return {};
 }
 
+// The function that differs most from the one in the file.
+const Curve& most_different(const std::vector<Group>& groups, const std::vector<Curve>& curves) {
+  const auto difference = [&](const Curve& curve) {
+    const Group& group = groups[std::size_t(&curve - curves.data())];
+    double sum = 0;
+    for (std::size_t k = 0; k < curve.knots.size(); ++k) {
+      sum += std::abs(curve.values[k] - group.written(curve.knots[k]));
+    }
+    return sum / double(curve.knots.size());
+  };
+  return *std::max_element(curves.begin(), curves.end(), [&](const Curve& a, const Curve& b) {
+    return difference(a) < difference(b);
+  });
+}
+
 // Says what the functions are; empty if they are not plausible.
-std::string words_of(const Made& made, Term term, const std::vector<Curve>& curves) {
+std::string words_of(const Made& made, Term term, const FittedTerm& fit) {
   switch (term) {
     case Term::fading:
-      return words_of_fading(curves.front());
+      return words_of_fading(most_different(fit.groups, fit.curves));
     case Term::highlights:
-      return words_of_highlights(made, curves);
+      return words_of_highlights(made, fit.curves);
     case Term::cones:
-      return words_of_cones(curves.front());
+      return words_of_cones(most_different(fit.groups, fit.curves));
     case Term::diffuse:
-      return words_of_diffuse(curves.front());
+      return words_of_diffuse(fit.curves.front());
   }
   return {};
 }
@@ -436,7 +465,7 @@ std::vector<Hypothesis> fitted_functions(const Simulation& sim, const Combinatio
     const Term term = Term(k);
     const std::optional<FittedTerm> fit =
         only.value_or(term) == term ? fitted(made, term) : std::nullopt;
-    std::string what = fit ? words_of(made, term, fit->curves) : std::string();
+    std::string what = fit ? words_of(made, term, *fit) : std::string();
     if (!what.empty()) {
       list.push_back({cause_of(term),
                       std::move(what),

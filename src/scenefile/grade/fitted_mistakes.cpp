@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <map>
 #include <numbers>
 #include <set>
@@ -524,7 +525,10 @@ void add_background(Simulation& sim) {
 
 void add_factors(Simulation& sim) {
   using Change = std::function<void(Trial&, double)>;
-  const auto try_factor = [&](Cause cause, const std::string& what, const Change& change) {
+  // `listed`: factors that are mistakes of their own.
+  const auto try_factor = [&](Cause cause, const std::string& what,
+                              std::initializer_list<double> listed, const Change& change) {
+    constexpr double near = 0.02;
     std::vector<double> found;
     for (const std::vector<double>& of_channel :
          factors_of_term(sim, [&](Trial& t) { change(t, 0); })) {
@@ -534,8 +538,9 @@ void add_factors(Simulation& sim) {
     if (k) {
       k = plain_number(*k);
     }
-    if (k && *k > 0.03 && *k < 12 && std::abs(*k - 1) > 0.05 && std::abs(*k - 0.5) > 0.01 &&
-        std::abs(*k - 2) > 0.03) {
+    if (k && *k > 0.03 && *k < 12 && std::abs(*k - 1) > 0.05 &&
+        std::none_of(listed.begin(), listed.end(),
+                     [&](double other) { return std::abs(*k - other) <= near * other; })) {
       sim.list.push_back({cause,
                           fmt::format("{} {:.2f} times as bright as in the reference", what, *k),
                           Stage::shading,
@@ -547,32 +552,32 @@ void add_factors(Simulation& sim) {
   if (sim.view->options.mode == Mode::normals) {
     return;
   }
-  try_factor(Cause::ambient, "the ambient term is",
+  try_factor(Cause::ambient, "the ambient term is", {2},
              [](Trial& t, double k) { t.scene.global.ambient *= static_cast<float>(k); });
-  try_factor(Cause::diffuse, "the diffuse term is",
+  try_factor(Cause::diffuse, "the diffuse term is", {0.5, 2},
              [](Trial& t, double k) { t.mistakes.diffuse_factor *= k; });
   if (any_texture(sim)) {
-    try_factor(Cause::diffuse, "the diffuse term, except for textures, is",
+    try_factor(Cause::diffuse, "the diffuse term, except for textures, is", {},
                [](Trial& t, double k) { t.scene.global.diffuse *= static_cast<float>(k); });
   }
-  try_factor(Cause::specular, "the specular term is", [](Trial& t, double k) {
+  try_factor(Cause::specular, "the specular term is", {0.5, 2}, [](Trial& t, double k) {
     for (RenderMaterial& m : t.scene.materials) {
       m.specular *= static_cast<float>(k);
     }
   });
-  try_factor(Cause::reflection, "reflections are",
+  try_factor(Cause::reflection, "reflections are", {0.5, 2},
              [](Trial& t, double k) { t.mistakes.mirror_factor *= k; });
-  try_factor(Cause::refraction, "refraction is",
+  try_factor(Cause::refraction, "refraction is", {0.5},
              [](Trial& t, double k) { t.mistakes.glass_factor *= k; });
   const std::size_t lights = sim.view->scene->lights.size();
-  try_factor(Cause::lights, "the light from all lights is", [](Trial& t, double k) {
+  try_factor(Cause::lights, "the light from all lights is", {}, [](Trial& t, double k) {
     for (RenderLight& light : t.scene.lights) {
       light.color *= static_cast<float>(k);
     }
   });
   for (std::size_t i = 0; lights > 1 && i < std::min<std::size_t>(lights, 8); ++i) {
     try_factor(Cause::lights,
-               fmt::format("light {} ({}) is", i + 1, word_of(sim.view->scene->lights[i].type)),
+               fmt::format("light {} ({}) is", i + 1, word_of(sim.view->scene->lights[i].type)), {},
                [i](Trial& t, double k) {
                  if (i < t.scene.lights.size()) {
                    t.scene.lights[i].color *= static_cast<float>(k);

@@ -76,6 +76,9 @@ void add_rows(const Scene& scene, const ValueRow<Owner> (&rows)[N], Owner owner,
                                 places.find(place, *row.field), [&row, owner_in](Scene& copy) {
                                   return numbers_of(row, owner_in(copy));
                                 }));
+      values.back().range = row.range;
+      values.back().direction =
+          row.field == Field::look || row.field == Field::up || row.field == Field::direction;
     }
   }
 }
@@ -173,6 +176,7 @@ std::vector<SceneValue> values_of_transforms(const Scene& scene, NodeId node) {
     } else if (std::holds_alternative<Rotate>(transforms[i].map)) {
       add("angle", [](Map& map) { return numbers_of(std::get<Rotate>(map).angle_deg); });
       add("axis", [](Map& map) { return numbers_of(std::get<Rotate>(map).axis); });
+      values.back().direction = true;
     }
   }
   return values;

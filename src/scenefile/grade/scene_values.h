@@ -3,6 +3,7 @@
 
 #include "scenefile/scene/prepare.h"
 #include "scenefile/scene/scene.h"
+#include "scenefile/scene/value_kind.h"
 
 #include <cstdint>
 #include <functional>
@@ -28,6 +29,8 @@ struct SceneValue {
   std::vector<double> numbers;  ///< as written
   /// Changes its numbers in a copy of the scene.
   std::function<void(Scene&, const std::vector<double>&)> set;
+  NumberRange range = {};  ///< of each number
+  bool direction = false;  ///< the length of the three numbers has no effect
 };
 
 /// The values of the globals, the camera and the first lights.

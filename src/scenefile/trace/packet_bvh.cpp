@@ -7,7 +7,7 @@ namespace scenefile {
 
 namespace {
 
-float center(const FloatBox& box, int axis) {
+float middle(const FloatBox& box, int axis) {
   return 0.5f * box.min[axis] + 0.5f * box.max[axis];
 }
 
@@ -19,8 +19,8 @@ int longest_axis(const std::vector<FloatBox>& boxes, const std::uint32_t* first,
     float low = Bvh8Node::far;
     float high = -Bvh8Node::far;
     for (const std::uint32_t* i = first; i < last; ++i) {
-      low = std::min(low, center(boxes[*i], axis));
-      high = std::max(high, center(boxes[*i], axis));
+      low = std::min(low, middle(boxes[*i], axis));
+      high = std::max(high, middle(boxes[*i], axis));
     }
     if (high - low > longest) {
       longest = high - low;
@@ -44,7 +44,7 @@ void sort_by_place(const std::vector<FloatBox>& boxes, std::uint32_t* first, std
   std::uint32_t* const half = first + std::max<std::size_t>(1, count / block / 2) * block;
   const int axis = longest_axis(boxes, first, last);
   std::nth_element(first, half, last, [&](std::uint32_t a, std::uint32_t b) {
-    return center(boxes[a], axis) < center(boxes[b], axis);
+    return middle(boxes[a], axis) < middle(boxes[b], axis);
   });
   sort_by_place(boxes, first, half);
   sort_by_place(boxes, half, last);

@@ -2,6 +2,8 @@
 // { id, call, args }; answers are { id, value } or { id, error }, with `fatal` if the instance can no
 // longer be used, and `lost` if only another worker can draw.
 
+import { instanceOf } from './instance.js';
+
 export let core = null;
 export const text = new TextDecoder();
 
@@ -109,16 +111,7 @@ const common = {
 async function handle(createScenefile, calls, { id, call, args }) {
   try {
     if (call === 'init') {
-      core = await new Promise((resolve, reject) => {
-        createScenefile({
-          instantiateWasm(imports, done) {
-            WebAssembly.instantiate(args.module, imports).then(done, reject);
-            return {};
-          },
-          print: () => {},
-          printErr: () => {},
-        }).then(resolve, reject);
-      });
+      core = await instanceOf(createScenefile, args.module);
       core.FS.mkdirTree('/files');
       core.FS.mkdirTree('/out');
       calls.begin?.();

@@ -60,11 +60,10 @@ CodePoint first_code_point(std::string_view text) {
   }
   char32_t value = length == 1 ? lead : lead & (0x7fu >> length);
   for (std::size_t i = 1; i < length; ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    if ((byte & 0xc0u) != 0x80u) {
+    if (!continues_character(text[i])) {
       return {};
     }
-    value = (value << 6) | (byte & 0x3fu);
+    value = (value << 6) | (static_cast<unsigned char>(text[i]) & 0x3fu);
   }
   return valid_scalar(value, length) ? CodePoint{value, length} : CodePoint{};
 }
@@ -110,8 +109,7 @@ std::string quoted(std::string_view text, std::size_t max_characters) {
 }
 
 std::string_view without_byte_order_mark(std::string_view text) {
-  constexpr std::string_view mark = "\xEF\xBB\xBF";
-  return text.substr(text.starts_with(mark) ? mark.size() : 0);
+  return text.substr(text.starts_with(utf8_mark) ? utf8_mark.size() : 0);
 }
 
 std::string valid_utf8(std::string_view text) {

@@ -24,6 +24,14 @@ struct CodePoint {
   std::size_t bytes = 0;  ///< 0: the text does not start with valid UTF-8, or is empty
 };
 
+/// Whether a byte of UTF-8 is not the first one of its character.
+constexpr bool continues_character(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u;
+}
+
+/// The byte order mark of UTF-8.
+inline constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
+
 /// The first character of the text: strict UTF-8, no overlong forms, no surrogates.
 CodePoint first_code_point(std::string_view text);
 

@@ -1,5 +1,6 @@
 #include "scenefile/edit/file_text.h"
 
+#include "scenefile/base/text.h"
 #include "scenefile/format/scene_text.h"
 
 #include <algorithm>
@@ -8,12 +9,9 @@ namespace scenefile {
 
 namespace {
 
-bool continues(char c) {
-  return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
-}
-
 std::size_t count_characters(std::string_view text) {
-  return text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), continues));
+  return text.size() -
+         static_cast<std::size_t>(std::count_if(text.begin(), text.end(), continues_character));
 }
 
 }  // namespace
@@ -46,7 +44,7 @@ std::optional<std::size_t> FileText::offset(Location location) const {
   for (std::uint32_t column = 1; column < location.column; ++column) {
     do {
       ++at;
-    } while (at < end && continues(text_[at]));
+    } while (at < end && continues_character(text_[at]));
     if (at > end) {
       return std::nullopt;
     }
@@ -65,8 +63,9 @@ Location FileText::location(std::uint32_t at) const {
   if (storage_.empty()) {
     offset -= std::min<std::size_t>(at, static_cast<std::size_t>(text_.data() - bytes_.data()));
   } else {
-    for (offset = 0; offset < text_.size() && (at != 0 || continues(text_[offset])); ++offset) {
-      at -= continues(text_[offset]) ? 0 : 1;
+    for (offset = 0; offset < text_.size() && (at != 0 || continues_character(text_[offset]));
+         ++offset) {
+      at -= continues_character(text_[offset]) ? 0 : 1;
     }
   }
   if (lines_.empty()) {

@@ -340,8 +340,9 @@ std::size_t count_changed_parts(const Scene& before, const Scene& after, SceneFo
 // Searches for the fixes of one text that can be made together.
 class Round {
  public:
-  Round(std::string_view text, const Reading& reading, const ReadOptions& options)
-      : text_(text), file_(text), reading_(reading), options_(options), before_(reading) {}
+  Round(std::string_view text, const FileText& file, const Reading& reading,
+        const ReadOptions& options)
+      : text_(text), file_(file), reading_(reading), options_(options), before_(reading) {}
 
   // Adds all of the candidates that are right.
   void take(std::span<const Candidate> candidates) {
@@ -439,7 +440,7 @@ class Round {
   }
 
   std::string_view text_;
-  FileText file_;
+  const FileText& file_;
   const Reading& reading_;
   const ReadOptions& options_;
   Tally before_;
@@ -455,9 +456,9 @@ bool joins_lines(std::string_view text, const Edit& edit) {
 }
 
 // The certain corrections of a text.
-std::vector<Candidate> candidates_of(std::string_view text, const Reading& reading,
+std::vector<Candidate> candidates_of(std::string_view text, const FileText& file,
+                                     const Reading& reading,
                                      const std::vector<std::string>& ignored) {
-  const FileText file(text);
   std::vector<Candidate> candidates;
   for (const Diagnostic& d : reading.findings.list()) {
     if (d.severity == Severity::note || !d.correction || !d.correction->certain ||
@@ -520,9 +521,10 @@ FixedText fix_text(std::string text, const ReadOptions& options,
   FixedText fixed{std::move(text), {}};
   std::vector<Edit> backs;
   for (int i = 0; i < most_rounds; ++i) {
+    const FileText file(fixed.text);
     const Reading reading = read_and_check(fixed.text, options);
-    const std::vector<Candidate> candidates = candidates_of(fixed.text, reading, ignored);
-    Round round(fixed.text, reading, options);
+    const std::vector<Candidate> candidates = candidates_of(fixed.text, file, reading, ignored);
+    Round round(fixed.text, file, reading, options);
     // Mistakes at which reading may have stopped, other errors, which may change values, and
     // warnings, which may not, are not fixed together.
     for (const int rank : {0, 1, 2}) {
@@ -537,7 +539,6 @@ FixedText fix_text(std::string text, const ReadOptions& options,
     if (round.taken().empty()) {
       break;
     }
-    const FileText file(fixed.text);
     for (const Candidate& candidate : round.taken()) {
       fixed.made.push_back(*candidate.finding);
       fixed.made.back().location =

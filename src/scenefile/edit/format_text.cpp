@@ -337,7 +337,8 @@ std::optional<std::string> lay_out_json(std::string_view text, const Limits& lim
 }
 
 std::string_view byte_order_mark(std::string_view bytes) {
-  for (const std::string_view mark : {"\xEF\xBB\xBF", "\xFF\xFE", "\xFE\xFF"}) {
+  for (const std::string_view mark :
+       {utf8_mark, std::string_view("\xFF\xFE"), std::string_view("\xFE\xFF")}) {
     if (bytes.starts_with(mark)) {
       return bytes.substr(0, mark.size());
     }

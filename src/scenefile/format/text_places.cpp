@@ -1,5 +1,7 @@
 #include "scenefile/format/text_places.h"
 
+#include "scenefile/base/text.h"
+
 #include <algorithm>
 #include <cstring>
 
@@ -8,10 +10,6 @@ namespace scenefile {
 namespace {
 
 constexpr std::size_t step = 4096;
-
-bool starts_character(char c) {
-  return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-}
 
 // Whether a CR that is not part of CR LF ends a line.
 bool has_lone_cr(std::string_view text) {
@@ -54,7 +52,7 @@ Location TextPlaces::advance(Mark& mark, std::size_t offset) const {
     for (; p != end; ++p) {
       const bool ends_line = *p == '\n' || (*p == '\r' && (p + 1 == text_end || p[1] != '\n'));
       location.line += ends_line;
-      location.column = ends_line ? 1 : location.column + starts_character(*p);
+      location.column = ends_line ? 1 : location.column + !continues_character(*p);
     }
   }
   while (p != end) {  // memchr() does not take the null pointer of an empty text
@@ -67,7 +65,7 @@ Location TextPlaces::advance(Mark& mark, std::size_t offset) const {
     location.column = 1;
   }
   for (; p != end; ++p) {
-    location.column += starts_character(*p);
+    location.column += !continues_character(*p);
   }
   mark = {offset, location};
   return location;

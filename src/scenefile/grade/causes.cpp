@@ -722,13 +722,6 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
   }
   if (found && found->mistakes.size() == 1 && asked == LookFor::several_at_once && sim.usable &&
       !sim.has_noise() && !sim.stopped && breaks_pixels(sim, pixels, *found)) {
-    // A mistake in all objects may look like an edit of one of them.
-    if (const std::optional<Tried> edit = find_edited_scene(sim, {});
-        edit && shows_much(sim, *edit) && !breaks_pixels(sim, pixels, *edit)) {
-      sim.route = "edited";
-      claim(sim, *edit, {}, {}, report);
-      return;
-    }
     found.reset();
   }
   if (found && shows_much(sim, *found) &&

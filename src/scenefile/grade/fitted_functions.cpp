@@ -257,8 +257,8 @@ std::vector<Group> groups_of_fading(const Made& made) {
       [](const RenderLight& light, const dvec3& point) {
         return glm::length(dvec3(light.position) - point);
       },
-      [](const glm::vec3& c, double distance) {
-        return std::min(1.0, 1 / (c.x + c.y * distance + c.z * distance * distance));
+      [](const glm::vec3& coefficients, double distance) {
+        return faded(coefficients, distance, AttenuationMistake::none);
       },
       [&](std::vector<double> distances) {
         return quantiles(std::move(distances), 16 / made.detail.knots_divided_by);
@@ -286,7 +286,10 @@ std::vector<Group> groups_of_cones(const Made& made) {
         return std::acos(std::clamp(glm::dot(way, dvec3(light.direction)), -1.0, 1.0));
       },
       [](const glm::vec2& angles, double angle) {
-        return 1 - glm::smoothstep(double(angles.x), double(angles.y) + 1e-6, angle);
+        RenderLight light;
+        light.inner_angle = angles.x;
+        light.outer_angle = angles.y;
+        return spot_share(light, std::cos(angle), SpotMistake::none);
       },
       [&](const std::vector<double>& angles) {
         return evenly(*std::min_element(angles.begin(), angles.end()),
@@ -397,29 +400,33 @@ std::vector<Group> groups_of(const Made& made, Term term) {
 }
 
 // The function that differs most from the one in the file.
-const Curve& most_different(const std::vector<Group>& groups, const std::vector<Curve>& curves) {
-  const auto difference = [&](const Curve& curve) {
-    const Group& group = groups[std::size_t(&curve - curves.data())];
-    double sum = 0;
+const Curve& most_different(const FittedTerm& fit) {
+  std::size_t most = 0;
+  double largest = 0;
+  for (std::size_t g = 0; g < fit.groups.size(); ++g) {
+    const Curve& curve = fit.curves[g];
+    double difference = 0;
     for (std::size_t k = 0; k < curve.knots.size(); ++k) {
-      sum += std::abs(curve.values[k] - group.written(curve.knots[k]));
+      difference += std::abs(curve.values[k] - fit.groups[g].written(curve.knots[k])) /
+                    double(curve.knots.size());
     }
-    return sum / double(curve.knots.size());
-  };
-  return *std::max_element(curves.begin(), curves.end(), [&](const Curve& a, const Curve& b) {
-    return difference(a) < difference(b);
-  });
+    if (difference > largest) {
+      largest = difference;
+      most = g;
+    }
+  }
+  return fit.curves[most];
 }
 
 // Says what the functions are; empty if they are not plausible.
 std::string words_of(const Made& made, Term term, const FittedTerm& fit) {
   switch (term) {
     case Term::fading:
-      return words_of_fading(most_different(fit.groups, fit.curves));
+      return words_of_fading(most_different(fit));
     case Term::highlights:
       return words_of_highlights(made, fit.curves);
     case Term::cones:
-      return words_of_cones(most_different(fit.groups, fit.curves));
+      return words_of_cones(most_different(fit));
     case Term::diffuse:
       return words_of_diffuse(fit.curves.front());
   }

@@ -1,5 +1,6 @@
 #include "scenefile/import/complete_scene.h"
 
+#include "scenefile/base/text.h"
 #include "scenefile/import/codes.h"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ void complete_scene(Scene& scene, const Bounds& box, Diagnostics& diagnostics) {
 
 std::string node_name(std::string_view name) {
   std::size_t size = std::min<std::size_t>(name.size(), 200);
-  while (size > 0 && size < name.size() && (name[size] & 0xC0) == 0x80) {
+  while (size > 0 && size < name.size() && continues_character(name[size])) {
     --size;
   }
   return std::string(name.substr(0, size));

@@ -65,7 +65,7 @@ struct Document {
 
 // The text of an editor is UTF-8, whatever encoding it declares: a byte order mark says so.
 std::string as_utf8(std::string_view text) {
-  return std::string("\xEF\xBB\xBF").append(without_byte_order_mark(text));
+  return std::string(utf8_mark).append(without_byte_order_mark(text));
 }
 
 struct ByteRange {

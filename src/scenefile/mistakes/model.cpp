@@ -599,6 +599,12 @@ double Model::transparency() const {
 
 namespace {
 
+double smooth(double t) {
+  return t * t * (3 - 2 * t);
+}
+
+}  // namespace
+
 double faded(const glm::vec3& coefficients, double d, AttenuationMistake mistake) {
   const glm::dvec3 c(coefficients);
   const double right = c.x + d * (c.y + d * c.z);
@@ -654,10 +660,6 @@ double faded(const glm::vec3& coefficients, double d, AttenuationMistake mistake
   return limited(right);
 }
 
-double smooth(double t) {
-  return t * t * (3 - 2 * t);
-}
-
 double spot_share(const RenderLight& light, double cosine, SpotMistake mistake) {
   if (mistake == SpotMistake::reversed_axis) {
     cosine = -cosine;
@@ -704,8 +706,6 @@ double spot_share(const RenderLight& light, double cosine, SpotMistake mistake) 
   }
   return inside ? 1 : outside ? 0 : falling;
 }
-
-}  // namespace
 
 namespace {
 

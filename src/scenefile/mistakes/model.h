@@ -97,6 +97,13 @@ glm::dvec3 transformed_normal(const ModelPart& part, const glm::dvec3& normal,
 /// Whether the mistake is that transformed_normal() is not normalized.
 bool keeps_length(NormalMistake mistake);
 
+/// The part of a light that is left at a distance, with the mistake. The coefficients are constant,
+/// linear and quadratic.
+double faded(const glm::vec3& coefficients, double distance, AttenuationMistake mistake);
+/// The part of a spotlight that is left where the direction away from it has this cosine with its
+/// axis, with the mistake.
+double spot_share(const RenderLight& light, double cosine, SpotMistake mistake);
+
 /// A scene drawn with mistakes. Everything it refers to must outlive it.
 class Model {
  public:

@@ -463,7 +463,8 @@ DecodedPicture rearranged(const DecodedPicture& mine, const PathTruth& t, int ho
 
 // Whether another reading of the file explains nearly all of the difference.
 bool explains(const TruthBlocks& back, const Reading& before, const Reading& other) {
-  return 2 * other.seen.tested > before.seen.tested && other.right.chi2 < 3 * other.values() &&
+  return 2 * other.seen.tested > before.seen.tested &&
+         other.right.chi2 < max_noise * other.values() &&
          other.right.chi2 / other.values() < 0.05 * before.right.chi2 / before.values() &&
          back.truth.blocks() >= fewest_blocks_for_file;
 }
@@ -476,7 +477,8 @@ bool view_explains(const TruthBlocks& back, const Reading& before, const Reading
   const double was = before.right.chi2 / before.values();
   return explains(back, before, other) ||
          (2 * other.seen.tested > before.seen.tested && was > far_above &&
-          is - 1 < 0.05 * (was - 1) && is < 3 && back.truth.blocks() >= fewest_blocks_for_file);
+          is - 1 < 0.05 * (was - 1) && is < max_noise &&
+          back.truth.blocks() >= fewest_blocks_for_file);
 }
 
 std::string view_words(const PathTruth& t, const ViewScale& view) {
@@ -551,10 +553,13 @@ bool has_other_curve(const TruthBlocks& back, const DecodedPicture& mine, const 
   if (mine.is_linear() || reading.seen.tested < fewest_blocks) {
     return false;
   }
+  constexpr double about_as_well = 1.3;
+  constexpr double far_better = 0.3;
   const std::optional<Reading> other = read_by_any_curve(back, mine, reading);
   const double left = other ? other->right.chi2 / other->values() : 0;
-  const double most = verdict.chi2_per_value * (verdict.causes.empty() ? 1.3 : 0.3);
-  return other && left < 3 && left < most;
+  const double most =
+      verdict.chi2_per_value * (verdict.causes.empty() ? about_as_well : far_better);
+  return other && left < max_noise && left < most;
 }
 
 constexpr const char* growth =

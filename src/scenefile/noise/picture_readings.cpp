@@ -229,7 +229,7 @@ bool Reading::differs() const {
 }
 
 bool Reading::is_like_noise(const PathModel& m) const {
-  return explained(m) >= 1 - most_left && m.chi2 < 3 * values();
+  return explained(m) >= 1 - most_left && m.chi2 < max_noise * values();
 }
 
 bool Reading::is_complete(const PathModel& m) const {

@@ -3,6 +3,7 @@
 #include "scenefile/geometry/ray_box.h"
 #include "scenefile/trace/surface_point.h"
 #include "scenefile/trace/texture_lookup.h"
+#include "scenefile/trace/triangle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -145,7 +146,8 @@ void Lamps::find_places(const SceneGeometry& geometry) {
   if (!open.empty()) {
     places_.clear();
   }
-  // A mesh that is twice at the same place shines once.
+  // A mesh that is twice at the same place is one lamp, also for size(), which Convention::course
+  // divides by. seen() and reveal() know what else coincides.
   std::sort(places_.begin(), places_.end(), [](const Place& a, const Place& b) {
     return a.mesh != b.mesh ? a.mesh < b.mesh : ordered(a.object_from_world, b.object_from_world);
   });
@@ -263,20 +265,14 @@ void Lamps::visit_at(const Ray& ray, double t, std::uint32_t known, const Visit&
       return;
     }
     const Place& place = places_[triangles_[index].place];
-    const Mesh& mesh = assets_->meshes[place.mesh];
-    const auto& corners = mesh.triangles[triangles_[index].index];
-    const auto corner = [&](int i) { return glm::dvec3(mesh.positions[corners[i]]); };
-    const glm::dvec3 direction = place.object_from_world.vector(ray.direction);
-    const glm::dvec3 to_corner = corner(0) - place.object_from_world.point(ray.origin);
-    const glm::dvec3 e1 = corner(1) - corner(0);
-    const glm::dvec3 e2 = corner(2) - corner(0);
-    const glm::dvec3 normal = glm::cross(e1, e2);
-    const glm::dvec3 q = glm::cross(to_corner, direction);
-    const double facing = glm::dot(normal, direction);
-    const glm::dvec2 weights(glm::dot(q, e2) / facing, -glm::dot(q, e1) / facing);
-    if (facing < 0 && std::abs(glm::dot(normal, to_corner) / facing - t) <= rounding &&
-        weights.x >= 0 && weights.y >= 0 && weights.x + weights.y <= 1) {
-      visit(index, weights);
+    const Ray in_object{place.object_from_world.point(ray.origin),
+                        place.object_from_world.vector(ray.direction)};
+    TriangleHit hit;
+    double facing = 0;
+    if (meet_plane(assets_->meshes[place.mesh], triangles_[index].index, in_object, hit, facing) &&
+        facing < 0 && std::abs(hit.t - t) <= rounding && hit.b1 >= 0 && hit.b2 >= 0 &&
+        hit.b1 + hit.b2 <= 1) {
+      visit(index, glm::dvec2(hit.b1, hit.b2));
     }
   });
 }

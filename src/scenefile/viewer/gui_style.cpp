@@ -1,3 +1,4 @@
+#include "scenefile/base/text.h"
 #include "scenefile/io/folder.h"
 #include "scenefile/viewer/gui.h"
 #include "scenefile/viewer/gui_colors.h"
@@ -146,8 +147,7 @@ std::string fitting(const std::string& text, float room) {
   }
   std::string some = text;
   do {
-    // Removes whole characters: UTF-8 continuation bytes start with the bits 10.
-    while (!some.empty() && (static_cast<unsigned char>(some.back()) & 0xC0) == 0x80) {
+    while (!some.empty() && continues_character(some.back())) {
       some.pop_back();
     }
     if (some.empty()) {

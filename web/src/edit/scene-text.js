@@ -4,6 +4,7 @@
 import createScenefile from 'scenefile-page-edit';
 
 import { moduleOf } from '../engine.js';
+import { instanceOf } from '../instance.js';
 
 const decoder = new TextDecoder();
 const encoder = new TextEncoder();
@@ -76,18 +77,7 @@ export function editEngine() {
 }
 
 async function load() {
-  const module = await moduleOf('scenefile-edit.wasm');
-  const core = await new Promise((resolve, reject) => {
-    createScenefile({
-      instantiateWasm(imports, done) {
-        WebAssembly.instantiate(module, imports).then(done, reject);
-        return {};
-      },
-      print: () => {},
-      printErr: () => {},
-    }).then(resolve, reject);
-  });
-  return new EditEngine(core);
+  return new EditEngine(await instanceOf(createScenefile, await moduleOf('scenefile-edit.wasm')));
 }
 
 const capital = (word) => `${word.slice(0, 1).toUpperCase()}${word.slice(1)}`;

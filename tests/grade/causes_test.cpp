@@ -56,7 +56,8 @@ using Draw = std::function<Texture(std::uint32_t seed)>;
 
 // The cause must be the first and only claim for nearly all scenes. `drawn`: the student's picture
 // of a scene.
-void expect_named_in(Cause cause, const Draw& drawn, bool with_scene = true) {
+void expect_named_in(Cause cause, const Draw& drawn, bool with_scene = true,
+                     std::string_view words = {}) {
   std::uint32_t named = 0;
   std::string others;
   for (std::uint32_t seed = 1; seed <= scenes; ++seed) {
@@ -65,7 +66,8 @@ void expect_named_in(Cause cause, const Draw& drawn, bool with_scene = true) {
     const SceneView view = view_of(scene);
     const CauseReport report =
         find_causes(reference_of(scene, seed % 2 == 0), picture, with_scene ? &view : nullptr);
-    const bool right = report.claims.size() == 1 && report.claims.front().cause == cause;
+    const bool right = report.claims.size() == 1 && report.claims.front().cause == cause &&
+                       report.claims.front().what.find(words) != std::string::npos;
     named += right ? 1 : 0;
     others += right ? "" : std::to_string(seed) + ": " + said(report) + "\n";
   }
@@ -84,12 +86,14 @@ void expect_named(Cause cause, const Mistakes& mistakes, const Change& change = 
 }
 
 // As drawn by a program without mistakes that reads something else from the file.
-void expect_named_if_changed(Cause cause, const std::function<void(RenderScene&)>& change) {
-  expect_named_in(cause, [&](std::uint32_t seed) {
+void expect_named_if_changed(Cause cause, const std::function<void(RenderScene&)>& change,
+                             std::string_view words = {}) {
+  const auto drawn = [&](std::uint32_t seed) {
     GeneratedScene scene(seed);
     change(scene.builder.scene);
     return scene.drawn_by_student({});
-  });
+  };
+  expect_named_in(cause, drawn, true, words);
 }
 
 const Mistakes nothing;
@@ -509,7 +513,9 @@ TEST(Causes, ColorOfALight) {
 
 // Half and twice are mistakes of their own only for terms.
 TEST(Causes, ALightIsHalfAsBright) {
-  expect_named_if_changed(Cause::lights, [](RenderScene& s) { s.lights.front().color *= 0.5f; });
+  expect_named_if_changed(
+      Cause::lights, [](RenderScene& s) { s.lights.front().color *= 0.5f; },
+      "is 0.50 times as bright");
 }
 
 TEST(Causes, ALitPictureWhereNormalsAreExpected) {

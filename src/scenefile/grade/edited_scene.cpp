@@ -380,9 +380,9 @@ void make_likely(const SceneValue& value, std::vector<double>& numbers) {
   const auto length = [](const std::vector<double>& v) {
     return std::sqrt(std::inner_product(v.begin(), v.end(), v.begin(), 0.0));
   };
+  const double written = length(value.numbers);
   const double now = length(numbers);
-  const bool rescaled = value.direction && now > 0 && length(value.numbers) > 0;
-  const double scale = rescaled ? length(value.numbers) / now : 1;
+  const double scale = value.direction && written > 0 && now > 0 ? written / now : 1;
   for (double& number : numbers) {
     number = std::clamp(number * scale, value.range.low, value.range.high);
   }

@@ -16,8 +16,8 @@ inline constexpr double gamma_twice = 4.4;
 /// programs with the same mistake do differently.
 inline constexpr double most_left = 0.15;
 
-/// What explains a picture leaves at most this times the variance of its noise, for the same
-/// reason.
+/// The most that an explanation may leave, as a multiple of the variance of the noise. What exceeds
+/// the noise is what programs with the same mistake do differently.
 inline constexpr double max_noise = 3;
 
 /// One way to linearize the picture, and what the search found then.

@@ -112,6 +112,9 @@ class Fixer {
     FixedText fixed = fix_text(
         scene.text, {.compat_course = options_.load.compat_course, .limits = options_.load.limits},
         options_.policy.allowed);
+    if (!fixed.refused.empty() && !options_.quiet) {
+      say(fmt::format("{}: not fixed: {}\n", escaped(shown_name(scene.path), 4096), fixed.refused));
+    }
     if (options_.dry_run) {
       report.error = show(unified_diff(scene.text, fixed.text, shown_name(scene.path)));
     } else if (fixed.text != scene.text || scene.path == "-") {

@@ -12,6 +12,7 @@
 #include "scenefile/export/write_pov.h"
 #include "scenefile/format/write_scene.h"
 #include "scenefile/io/file.h"
+#include "scenefile/io/folder.h"
 #include "scenefile/io/interrupt.h"
 #include "scenefile/verbs/carry_files.h"
 #include "scenefile/verbs/codes.h"
@@ -72,13 +73,16 @@ std::string write_scene_file(LoadedScene& scene, const Options& options, Context
                      scene.diagnostics);
 }
 
-// POV-Ray opens the textures itself, so it needs the paths where they were found.
+// POV-Ray opens the textures itself, so it needs the paths where they were found, relative to the
+// output only if it cannot open the absolute one.
 std::string write_pov_file(LoadedScene& scene, bool path, const Options& options,
                            Context& context) {
   std::vector<std::string> textures;
+  const std::string folder = real_folder_of(options.arguments[1]);
   for (const AssetFile& file : locate_files(scene, options)) {
     if (file.kind == AssetKind::texture && file.from.empty()) {
-      textures.push_back(file.resolved.path);
+      const std::string& path = file.resolved.path;
+      textures.push_back(pov_opens(path) || path.empty() ? path : path_from(folder, path));
     }
   }
   context.phase = "writing the scene";

@@ -278,13 +278,11 @@ ExitCode run_diff(const Options& options, Context& context) {
   if (pictures) {
     return diff_images(options, std::move(inputs), context);
   }
-  constexpr std::pair<std::string_view, std::string Options::*> drawings[] = {
-      {"--heatmap", &Options::heatmap},
-      {"--energy", &Options::energy},
-      {"--sheet", &Options::sheet}};
-  for (const auto& [name, output] : drawings) {
-    if (!(options.*output).empty()) {
-      return fail(ExitCode::usage, fmt::format("{} is for pictures, not for scenes", name));
+  for (const GivenOption& given : options.given) {
+    // Scenes are read as by check.
+    if ((given.row->commands & for_check) == 0) {
+      return fail(ExitCode::usage,
+                  fmt::format("{} is for pictures, not for scenes", given.row->name));
     }
   }
   inputs.clear();

@@ -11,11 +11,13 @@
 #include "app/pictures.h"
 #include "app/progress.h"
 #include "app/realtime.h"
+#include "scenefile/asset/image_file.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/read_cameras.h"
 #include "scenefile/format/write_scene.h"
 #include "scenefile/io/child.h"
 #include "scenefile/io/file.h"
+#include "scenefile/io/file_writer.h"
 #include "scenefile/io/folder.h"
 #include "scenefile/io/interrupt.h"
 #include "scenefile/io/item.h"
@@ -34,6 +36,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -141,9 +144,35 @@ std::string frame_name(const std::string& pattern, std::size_t number) {
                      pattern.substr(end + 1));
 }
 
-// The video has this name until it is complete.
-std::string unfinished(const std::string& video) {
-  return fmt::format("{}/.unfinished-{}", folder_of(video), file_name_of(video));
+// Copies a file to what may be a link, a pipe or a device.
+Result<void> copy_file(const std::string& from, const std::string& to) {
+  std::ifstream in(from, std::ios::binary);
+  Result<FileWriter> out = FileWriter::create(to);
+  if (!out) {
+    return out.error();
+  }
+  std::vector<char> piece(std::size_t{1} << 20);
+  while (in.read(piece.data(), std::streamsize(piece.size())) || in.gcount() > 0) {
+    if (const Result<void> added =
+            out->append({piece.data(), static_cast<std::size_t>(in.gcount())});
+        !added) {
+      return added;
+    }
+  }
+  if (!in.eof()) {
+    return Error{fmt::format("{}: cannot read it", escaped(from, 400))};
+  }
+  return out->commit();
+}
+
+// Whether a program wrote the file as it is: it is complete, and PNG's checksums are right.
+bool is_intact_picture(const std::string& bytes) {
+  if (!decode_picture(bytes)) {
+    return false;
+  }
+  std::string renewed = bytes;
+  renew_png_text(renewed);
+  return renewed == bytes;
 }
 
 class Frames {
@@ -211,8 +240,7 @@ class Frames {
   Outcome claim_files() {
     std::vector<UsedFile> files;
     if (!options_.video.empty()) {
-      files = {named_file("video", options_.video),
-               named_file("unfinished video", unfinished(options_.video))};
+      files = {named_file("video", options_.video)};
     }
     for (int number = range_.first; number <= range_.last; ++number) {
       const auto index = static_cast<std::size_t>(number) - 1;
@@ -263,10 +291,12 @@ class Frames {
       there_[index] = there_[index] && item.key == key_of(index);
       const bool foreign = item.state == ItemState::intact && item.key != key_of(index);
       const bool other = item.state == ItemState::none && !(bytes && bytes->empty());
-      if (!options_.overwrite && (foreign || other)) {
+      const bool edited = item.state == ItemState::damaged && is_intact_picture(*bytes);
+      if (!options_.overwrite && (foreign || other || edited)) {
         return refusal(file, "-o",
-                       foreign ? "the frame was drawn " + key_mismatch(item.key, key_of(index))
-                               : "the file exists, and is not a frame");
+                       foreign  ? "the frame was drawn " + key_mismatch(item.key, key_of(index))
+                       : edited ? "the frame was changed after it was drawn"
+                                : "the file exists, and is not a frame");
       }
     }
     return {};
@@ -345,7 +375,7 @@ class Frames {
     const std::string path = scene_name(index);
     Scene scene = scene_.written;
     scene.camera = motion_.cameras[index];
-    const bool json = path.ends_with(".json");
+    const bool json = lower_case_extension(path) == ".json";
     Diagnostics diagnostics(options_.load.limits);
     text = write_scene(scene, json ? SceneFormat::json : SceneFormat::xml, options_.load.limits,
                        diagnostics);
@@ -376,24 +406,26 @@ class Frames {
                 i + 1, motion_.cameras.size())};
       }
     }
-    const std::string target = unfinished(options_.video);
+    const Result<TemporaryFolder> folder = TemporaryFolder::create();
+    if (!folder) {
+      return outcome_of(folder.error(), context_);
+    }
+    const std::string extension = lower_case_extension(options_.video);
+    const std::string made = folder->path() + "/video" + extension;
+    // ffmpeg would take a part before a colon for a protocol.
+    const std::string frames =
+        options_.output.starts_with('/') ? options_.output : "./" + options_.output;
     std::vector<std::string> words{
         "ffmpeg",        "-y", "-loglevel", "error",  "-framerate", fmt::format("{}", motion_.fps),
-        "-start_number", "1",  "-f",        "image2", "-i",         options_.output};
-    if (!options_.video.ends_with(".gif")) {
+        "-start_number", "1",  "-f",        "image2", "-i",         frames};
+    if (extension != ".gif") {
       // Players require even sizes, and 4:2:0 chroma subsampling.
       words.insert(words.end(), {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p"});
     }
     // Frames of a longer run may follow.
-    words.insert(words.end(), {"-frames:v", fmt::format("{}", motion_.cameras.size()), target});
-    Outcome outcome = outcome_of(run_child(words));
-    std::error_code error;
-    if (outcome.error.empty()) {
-      std::filesystem::rename(target, options_.video, error);
-      return error ? Outcome{ExitCode::environment, error.message()} : Outcome();
-    }
-    std::filesystem::remove(target, error);
-    return outcome;
+    words.insert(words.end(), {"-frames:v", fmt::format("{}", motion_.cameras.size()), made});
+    const Outcome outcome = outcome_of(run_child(words));
+    return outcome.error.empty() ? outcome_of(copy_file(made, options_.video)) : outcome;
   }
 
   const Options& options_;

@@ -145,8 +145,9 @@ std::string limits_text(std::size_t width) {
   std::string text =
       wrapped(
           "Limits keep a faulty or malicious file from using too much time or memory. A file that "
-          "exceeds one is rejected with a message and exit status 4. Each is set by --limit "
-          "NAME=VALUE; K, M and G after a number of bytes mean 2^10, 2^20 and 2^30.",
+          "exceeds one is rejected with a message and exit status 4, except a texture, which is "
+          "left out with a warning. Each is set by --limit NAME=VALUE; K, M and G after a number "
+          "of bytes mean 2^10, 2^20 and 2^30.",
           0, 0, width) +
       "\n\n";
   for (const LimitRow& limit : limit_rows) {

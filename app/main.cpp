@@ -106,11 +106,12 @@ constexpr std::array command_rows{
             run_diff, ArgumentCount{1, 2}},
     Command{
         "grade", for_grade, "DIR", "compare the pictures of a class with the references",
-        "Each folder in DIR is a student; without such folders, or with --gradescope, DIR itself "
-        "is a single student. Compares the pictures with the references of the same names and, if "
-        "the scenes are given, says which mistake explains a difference. If --profile and "
-        "--features are not given, those that fit the references are found. The exit status is 1 "
-        "if a picture did not pass.",
+        "Each folder and each archive in DIR is a student; files that Canvas, Blackboard or Moodle "
+        "named belong to the student in the name. Without them, or with --gradescope, DIR itself "
+        "is a single student. DIR may be an archive. Compares the pictures with the references of "
+        "the same names and, if the scenes are given, says which mistake explains a difference. "
+        "If --profile and --features are not given, those that fit the references are found. The "
+        "exit status is 1 if a picture did not pass.",
         "scenefile grade handed-in --references right\n"
         "scenefile grade handed-in --references right --scenes scenes --report report.html\n"
         "scenefile grade handed-in --references right --map names.csv --csv grades.csv\n"

@@ -31,9 +31,12 @@ std::string names_of(const OptionRow& row) {
 
 void add_option(CLI::App& parser, const OptionRow& row, Options& options) {
   if (row.value.empty()) {
-    parser.add_flag_callback(names_of(row), [&row, &options] {
-      options.given.push_back({&row, {}});
-    });
+    parser
+        .add_flag_callback(names_of(row),
+                           [&row, &options] {
+                             options.given.push_back({&row, {}});
+                           })
+        ->disable_flag_override();
     return;
   }
   parser
@@ -64,7 +67,8 @@ void set_up(CLI::App& parser, const Command& command, Options& options) {
 }
 
 std::string needs_value(const OptionRow& row) {
-  return fmt::format("{0} needs a value: {0} {1}", row.name, row.value);
+  return row.value.empty() ? fmt::format("{} takes no value", row.name)
+                           : fmt::format("{0} needs a value: {0} {1}", row.name, row.value);
 }
 
 // Whether an option is where the value should be: "-o --size 320x240". "-" alone is standard input
@@ -100,20 +104,14 @@ std::string unknown_option(const Command& command, const std::string& word) {
 }
 
 std::string missing_value(const Command& command, std::string_view words) {
-  // CLI11: "--size: 1 required TEXT missing".
-  const std::string_view name = words.substr(0, words.find(':'));
+  // CLI11: "--size: 1 required TEXT missing", "json was given a disallowed flag override".
+  const std::string_view name = words.substr(0, words.find_first_of(": "));
   for (const OptionRow* row : options_of(command)) {
-    if (row->name == name) {
+    if (row->name == name || row->name.substr(2) == name) {
       return needs_value(*row);
     }
   }
   return std::string(words);
-}
-
-// ".xml" for "a/B.XML"; empty if there is none.
-std::string lower_case_extension(std::string_view path) {
-  const std::size_t dot = path.find_last_of("./");
-  return dot == std::string_view::npos || path[dot] == '/' ? "" : lower_case(path.substr(dot));
 }
 
 std::string check_output(std::string_view command, const std::string& output) {
@@ -434,9 +432,11 @@ std::string check_together(const Command& command, Options& options) {
     return "--json and --sarif are two output formats: choose one";
   }
   if (const int most = static_cast<int>(options.load.limits.image_side);
-      options.render.width > most || options.render.height > most) {
-    return fmt::format("--size: {}x{} is more than the limit of {} pixels per side",
-                       options.render.width, options.render.height, most);
+      has_option(command, "--size") &&
+      (options.render.width > most || options.render.height > most)) {
+    return fmt::format("--size: {}x{}{} is more than the limit of {} pixels per side",
+                       options.render.width, options.render.height,
+                       was_given(options, "--size") ? "" : ", the default,", most);
   }
   return command.bit == for_render   ? check_render(options)
          : command.bit == for_frames ? check_frames(options)

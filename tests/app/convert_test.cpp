@@ -52,6 +52,20 @@ TEST_F(Convert, WritesForPovRay) {
   EXPECT_THAT(features.err, HasSubstr("--features"));
 }
 
+// POV-Ray opens ASCII paths alone. Such a folder may be in every absolute path.
+TEST_F(Convert, PovRayGetsPathsThatItOpens) {
+  const std::string inner = folder.path("jos\u00e9");
+  std::filesystem::create_directory(inner);
+  const unsigned char tga[] = {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 24, 0, 1, 2, 3};
+  folder.write("jos\u00e9/a.tga", std::string(std::begin(tga), std::end(tga)));
+  const std::string xml = folder.write(
+      "jos\u00e9/a.xml", scene_with(R"(<blend v="1"/><texture file="a.tga" u="1" v="1"/>)"));
+  const ProgramRun run = run_program({"convert", xml, inner + "/a.pov"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(folder.read("jos\u00e9/a.pov"), HasSubstr("tga \"a.tga\""));
+  EXPECT_THAT(run.err, Not(HasSubstr("pov.lost")));
+}
+
 TEST_F(Convert, PovRayIsWrittenButNotRead) {
   const std::string pov = folder.path("a.pov");
   ASSERT_EQ(run_program({"convert", folder.write("a.xml", good_scene), pov}).status, 0);

@@ -68,6 +68,8 @@ TEST_F(DiffScenes, DrawsNothing) {
   const ProgramRun run = program({"diff", a, a, "--heatmap", "h.png"});
   EXPECT_EQ(run.status, 2);
   EXPECT_THAT(run.err, HasSubstr("--heatmap is for pictures"));
+  EXPECT_THAT(run_program({"diff", a, a, "--min-psnr", "40"}).err,
+              HasSubstr("--min-psnr is for pictures"));
 }
 
 TEST_F(DiffScenes, PrintsTheReadersWarnings) {

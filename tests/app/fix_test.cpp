@@ -41,6 +41,23 @@ TEST_F(CheckFix, RewritesFilesAndSaysHow) {
   EXPECT_THAT(program({"check", "--fix", "a.xml"}).out, Not(HasSubstr("fixed")));
 }
 
+TEST_F(CheckFix, SaysWhyAFileInUtf16IsNotFixed) {
+  const auto utf16 = [](std::string_view text) {
+    std::string bytes = "\xFF\xFE";
+    for (const char c : text) {
+      bytes += {c, '\0'};
+    }
+    return bytes;
+  };
+  const std::string why = "a.xml: not fixed: the file is in UTF-16; save it as UTF-8 first\n";
+  folder.write("a.xml", utf16(wrong));
+  EXPECT_THAT(program({"check", "--fix", "a.xml"}).err, HasSubstr(why));
+  EXPECT_THAT(program({"check", "--dry-run", "a.xml"}).err, HasSubstr(why));
+  EXPECT_EQ(folder.read("a.xml"), utf16(wrong));
+  folder.write("a.xml", utf16(right));
+  EXPECT_THAT(program({"check", "--fix", "a.xml"}).err, Not(HasSubstr("not fixed")));
+}
+
 TEST_F(CheckFix, DryRunShowsAPatch) {
   folder.write("a.xml", wrong);
   const ProgramRun dry = program({"check", "--dry-run", "a.xml"});

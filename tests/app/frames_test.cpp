@@ -17,6 +17,7 @@ using namespace testing_support;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 using Words = std::vector<std::string>;
 
@@ -160,6 +161,19 @@ TEST_F(FramesTest, NoOtherPictureIsReplaced) {
   EXPECT_EQ(folder.read("mine1.png"), "mine");
 }
 
+TEST_F(FramesTest, AFrameThatSomebodyEditedIsKept) {
+  const Words words{"--turntable", "2", "-o", "f%d.pfm"};
+  ASSERT_EQ(frames(words).status, 0);
+  std::string edited = folder.read("f1.pfm");
+  edited[edited.size() / 2] ^= 1;
+  folder.write("f1.pfm", edited);
+  const ProgramRun refused = frames(words);
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, HasSubstr("f1.pfm: the frame was changed after it was drawn; "));
+  EXPECT_EQ(folder.read("f1.pfm"), edited);
+  EXPECT_EQ(frames(words + Words{"--overwrite"}).status, 0);
+}
+
 TEST_F(FramesTest, OverwriteReplacesWhatIsNotOfThisMotion) {
   const auto counts = [&](const Words& more) {
     const rapidjson::Document answer =
@@ -198,6 +212,11 @@ TEST_F(FramesTest, NoOtherSceneIsReplaced) {
   EXPECT_EQ(own.status, 2);
   EXPECT_THAT(own.err, HasSubstr("the scene of a frame own1.xml would replace the scene own1.xml"));
   EXPECT_EQ(folder.read("own1.xml"), good_scene);
+}
+
+TEST_F(FramesTest, TheCaseOfAnExtensionDoesNotMatter) {
+  ASSERT_EQ(frames({"--turntable", "1", "--write-scenes", "t%d.JSON"}).status, 0);
+  EXPECT_EQ(folder.read("t1.JSON").front(), '{');
 }
 
 TEST_F(FramesTest, ScenesInAnotherFolderSayWhichFilesAreMissingThere) {
@@ -253,7 +272,7 @@ TEST_F(FramesTest, AVideoNeedsAllFrames) {
                               .folder = folder.path()});
   };
   EXPECT_EQ(video({"-o", "v%d.png", "--video", "v.mp4", "--fps", "12"}).status, 0);
-  EXPECT_THAT(folder.read("v.mp4"), AllOf(HasSubstr("-framerate 12 "), HasSubstr("-i v%d.png "),
+  EXPECT_THAT(folder.read("v.mp4"), AllOf(HasSubstr("-framerate 12 "), HasSubstr("-i ./v%d.png "),
                                           HasSubstr("-pix_fmt yuv420p -frames:v 3 ")));
   const Words first{"-o", "f%d.png", "--video", "f.gif", "--range", "1:1"};
   const ProgramRun part = video(first);
@@ -263,6 +282,10 @@ TEST_F(FramesTest, AVideoNeedsAllFrames) {
   ASSERT_EQ(video({"-o", "f%d.png", "--range", "2:3"}).status, 0);
   EXPECT_EQ(video(first).status, 0);
   EXPECT_TRUE(std::filesystem::exists(folder.path("f.gif")));
+  std::filesystem::create_symlink("f.gif", folder.path("link.GIF"));
+  EXPECT_EQ(video({"-o", "v%d.png", "--video", "link.GIF"}).status, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path("link.GIF")));
+  EXPECT_THAT(folder.read("f.gif"), AllOf(HasSubstr("-i ./v%d.png "), Not(HasSubstr("yuv420p"))));
 }
 
 TEST_F(FramesTest, AVideoDoesNotNeedToKeepItsFrames) {
@@ -278,7 +301,7 @@ TEST_F(FramesTest, AVideoDoesNotNeedToKeepItsFrames) {
                          "TMPDIR=" + folder.path("tmp"), "STATUS=" + status},
          .folder = folder.path()});
     EXPECT_EQ(made.status, status == "0" ? 0 : 3) << made.err;
-    EXPECT_EQ(folder.read("v.gif"), "1.png\n2.png\n3.png\n");
+    EXPECT_THAT(folder.read("v.gif"), HasSubstr("1.png\n2.png\n3.png\n"));
     EXPECT_TRUE(std::filesystem::is_empty(folder.path("tmp"))) << status;
     EXPECT_THAT(made.err,
                 HasSubstr(status == "0" ? "v.gif: 3 of 3 frames drawn" : "ffmpeg failed"));

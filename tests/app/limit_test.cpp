@@ -124,6 +124,15 @@ TEST_F(ProgramLimits, EachIsSetByName) {
   EXPECT_EQ(run_program({"check", folder.path("deeper.xml"), "--limit=nesting=2000"}).status, 0);
 }
 
+TEST_F(ProgramLimits, TheSizeOfPicturesMattersToCommandsThatDraw) {
+  const std::string scene = folder.write("a.xml", good_scene);
+  EXPECT_EQ(run_program({"check", scene, "--limit", "image-side=500"}).status, 0);
+  const ProgramRun drawn =
+      run_program({"render", scene, "-o", folder.path("a.png"), "--limit", "image-side=500"});
+  EXPECT_EQ(drawn.status, 2);
+  EXPECT_THAT(drawn.err, HasSubstr("--size: 1024x768, the default, is more than the limit of 500"));
+}
+
 TEST_F(ProgramLimits, AreListedWithTheirDefaults) {
   const ProgramRun run = run_program({"help", "limits"});
   EXPECT_EQ(run.status, 0);

@@ -145,6 +145,12 @@ TEST_F(PathCommand, RefusesWhatItDoesNotHave) {
   EXPECT_THAT(reference.err, HasSubstr("--reference has no effect on paths"));
 }
 
+TEST_F(PathCommand, TheNoiseOfOneSampleIsUnknown) {
+  const Words words{"explain", scene, "--pixel", "5,5", "--mode", "path", "--samples", "1"};
+  EXPECT_THAT(run_program(words).out, HasSubstr("standard error unknown"));
+  EXPECT_THAT(run_program(words + Words{"--json"}).out, HasSubstr("\"standard_error\": null"));
+}
+
 TEST_F(PathCommand, ExplainsThePixelsAroundOneOfMine) {
   ASSERT_EQ(render("mine.pfm", {"--mode", "path", "--samples", "16"}).status, 0);
   const ProgramRun mine = run_program({"explain", scene, "--pixel", "5,5", "--mine",

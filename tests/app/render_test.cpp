@@ -168,6 +168,14 @@ TEST_F(Render, WarnsAboutADefaultCoefficient) {
   EXPECT_THAT(render({}).err, Not(HasSubstr(code)));
 }
 
+TEST_F(Render, WarnsAboutMaterialsThatAddLightInModePath) {
+  folder.write("scene.xml",
+               scene_with(R"(<diffuse r="1" g="1" b="1"/><reflective r="1.5" g="0" b="0"/>)"));
+  const std::string code = "[material.energy]";
+  EXPECT_THAT(render({}).err, Not(HasSubstr(code)));
+  EXPECT_THAT(render({"--mode", "path", "--samples", "1"}).err, HasSubstr(code));
+}
+
 TEST_F(Render, AMissingMeshIsAnErrorUnlessAllowed) {
   std::string mesh = good_scene;
   mesh.replace(mesh.find("name=\"sphere\""), 13, "name=\"mesh\" filename=\"no.obj\"");

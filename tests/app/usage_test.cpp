@@ -181,6 +181,7 @@ TEST(Usage, AnOptionIsNotTheNameOfAFile) {
             R"(--gradescope needs a value: --gradescope OUT; a file "-q" is ./-q)");
   is_misuse({"diff", "a.png", "b.png", "--scene", "--json"}, "--scene needs a value");
   is_misuse({"check", "a.xml", "--asset-root", "--quiet"}, "--asset-root needs a value");
+  is_misuse({"check", "a.xml", "--json=1"}, "--json takes no value");
 }
 
 TEST(Usage, TheCourseProfileRejectsSamples) {

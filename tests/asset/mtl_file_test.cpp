@@ -80,6 +80,7 @@ TEST(ReadMtl, NamesOfMapsFollowTheirOptions) {
       {"my wood.png", "my wood.png"},
       {"textures\\my wood.png  ", "textures\\my wood.png"},
       {"wood#1.png # oak", "wood#1.png"},
+      {"wood #2.png #oak", "wood #2.png"},
       {"-s 1 1 1 -o 0 0 0 a b.png", "a b.png"},
       {"-s 1 a.png", "a.png"},
       {"-s 1 1 1.png", "1.png"},

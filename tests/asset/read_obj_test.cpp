@@ -161,6 +161,17 @@ WithMaterials read_materials(std::string_view text, std::uint64_t mesh_bytes = 1
   return r;
 }
 
+// As 3ds Max names materials. Comments rarely begin with a digit.
+TEST(ReadObj, NamesMayHaveNumbers) {
+  const WithMaterials r = read_materials(
+      square + "usemtl Material #1\nf 1 2 3\nusemtl Material #25 b # 3\nf 1 2 3 4\n" +
+      "usemtl Material #x\nf 1 2 3\n");
+  ASSERT_EQ(r.materials.names.size(), 3u);
+  EXPECT_EQ(r.materials.names[0].name, "Material #1");
+  EXPECT_EQ(r.materials.names[1].name, "Material #25 b");
+  EXPECT_EQ(r.materials.names[2].name, "Material");
+}
+
 TEST(ReadObj, NamesTheMaterialOfEachTriangle) {
   const WithMaterials r =
       read_materials(square + "f 1 2 3\nusemtl white\nf 1 2 3 4\nusemtl  red  wall#2 # not this\n" +

@@ -84,6 +84,9 @@ const std::vector<FixCase> xml_cases{
     {"LetterCaseOfAttributes",
      R"(<scale Z="3" Y="2" X="1"/><object type="primitive" name="cube"><diffuse B="1" G="0" r="1"/><ambient X="1" Y="0" Z="0"/></object>)",
      R"(<scale z="3" y="2" x="1"/><object type="primitive" name="cube"><diffuse b="1" g="0" r="1"/><ambient r="1" g="0" b="0"/></object>)"},
+    {"LetterCaseOfRepeats",
+     R"(<object type="primitive" name="cube"><texture file="a.png" U="2" V="3"/><bumpmap file="b.png" U="2" v="3"/></object>)",
+     R"(<object type="primitive" name="cube"><texture file="a.png" u="2" v="3"/><bumpmap file="b.png" u="2" v="3"/></object>)"},
     {"Comma", R"(<scale x="0,5" y="1" z="1"/><object type="master" name="chair"/>)",
      R"(<scale x="0.5" y="1" z="1"/><object type="master" name="chair"/>)"},
     {"Quotes", "<scale x=2 y='2' z=\u201C3\u201D/><object type=\"master\" name=\"chair\"/>",
@@ -142,6 +145,13 @@ const std::vector<FixCase> json_cases{
     {"DecimalComma", R"({"primitives": [{"type": "cube", "shininess": 1,5}]})",
      R"({"primitives": [{"type": "cube", "shininess": 1.5}]})"},
     {"Quotes", R"({'primitives': [{type: cube}]})", R"({"primitives": [{"type": "cube"}]})"},
+    {"TypographicQuotes",
+     "{\u201Cprimitives\u201D: [{\u201Ctype\u201D:\u201Ccube\u201D,\u2018name\u2019: \u201Ea "
+     "b\u201C}]}",
+     R"({"primitives": [{"type":"cube","name": "a b"}]})"},
+    // The string may end later.
+    {"TypographicApostrophe", "{\"primitives\": [], \"name\": \u2018it\u2019s\u2019}",
+     "{\"primitives\": [], \"name\": \u2018it\u2019s\u2019}"},
     {"Commas",
      "{\"translate\": [1, 2, 3]\n \"primitives\": [{\"type\": \"cube\"; \"shininess\": 5,},]}",
      "{\"translate\": [1, 2, 3],\n \"primitives\": [{\"type\": \"cube\", \"shininess\": 5}]}"},

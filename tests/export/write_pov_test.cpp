@@ -83,6 +83,34 @@ TEST(WritePov, LeavesOutTexturesThatCannotBeUsed) {
   EXPECT_THAT(write(scene).text, Not(HasSubstr("image_map")));
 }
 
+TEST(WritePov, LeavesOutTexturesThatPovRayCannotOpen) {
+  SceneBuilder scene;
+  RenderMaterial m;
+  m.texture.file = scene.texture(1, 1, {0});
+  m.blend = 1;
+  scene.add(Shape::cube, {}, scene.material(m));
+  scene.add(Shape::cone, {}, scene.material(m));
+  WrittenPov w;
+  const std::vector<std::string> paths = {"/home/jos\u00e9/a.png"};
+  w.text = write_pov(scene.scene, scene.assets, paths, {}, w.diagnostics);
+  EXPECT_THAT(w.text, Not(HasSubstr("image_map")));
+  ASSERT_EQ(w.diagnostics.list().size(), 1u);
+  EXPECT_EQ(w.diagnostics.list()[0].code, &"pov.lost"_code);
+  EXPECT_THAT(w.diagnostics.list()[0].message, HasSubstr("ASCII"));
+}
+
+TEST(WritePov, SaysThatPovRayScramblesInterlacedGifFiles) {
+  SceneBuilder scene;
+  RenderMaterial m;
+  m.texture.file = scene.texture(1, 1, {0});
+  m.blend = 1;
+  scene.add(Shape::cube, {}, scene.material(m));
+  for (const bool gif : {false, true}) {
+    scene.assets.textures[0].format = gif ? "GIF" : "PNG";
+    EXPECT_EQ(says(write(scene), "pov.approximate"_code), gif);
+  }
+}
+
 TEST(WritePov, WritesAGroupOnceHoweverOftenItIsUsed) {
   SceneBuilder scene;
   RenderScene& s = scene.scene;

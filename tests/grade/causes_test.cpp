@@ -300,6 +300,11 @@ TEST(Causes, PartsThatAreNotDrawn) {
                   filled([](int, int y) { return y >= 36; })(scene.drawn_by_student({})), &view);
   ASSERT_EQ(half.claims.size(), 1u);
   EXPECT_EQ(half.claims.front().what, "rows 36 to 71 of 72 are not drawn");
+  const CauseReport row =
+      find_causes(reference_of(scene, false),
+                  filled([](int, int y) { return y == 71; })(scene.drawn_by_student({})), &view);
+  ASSERT_EQ(row.claims.size(), 1u);
+  EXPECT_EQ(row.claims.front().what, "row 71 of 72 is not drawn");
 }
 
 TEST(Causes, MissingShapesAreNotMissingParts) {
@@ -684,6 +689,22 @@ TEST(Causes, Acne) {
   expect_named(Cause::acne, {"shadow-acne", "mirror-acne"});
 }
 
+// A face that lacks light, beside edges of textures that other samples change, is none.
+TEST(Causes, SamplesBesideDarkFacesAreNotAcne) {
+  for (std::uint32_t seed = 1; seed <= scenes; ++seed) {
+    const GeneratedScene scene(seed);
+    const SceneView view = view_of(scene);
+    const CauseReport report =
+        find_causes(reference_of(scene, false),
+                    means_of_four(scene.drawn_by_student({"shape-cube-normals-positive"}, 2 * width,
+                                                         2 * height)),
+                    &view);
+    EXPECT_TRUE(std::none_of(report.claims.begin(), report.claims.end(),
+                             [](const Claim& c) { return c.cause == Cause::acne; }))
+        << seed << ": " << said(report);
+  }
+}
+
 // Rounding may be the same all over a face, which then shadows itself as a whole.
 TEST(Causes, AcneOfAWholeFace) {
   for (const std::uint32_t seed : {1u, 2u, 3u}) {
@@ -851,6 +872,17 @@ TEST(Causes, ASubpixelShiftBesideAnotherMistake) {
   });
 }
 
+TEST(Causes, AWholePixelBesideAnotherMistake) {
+  expect_right(6,
+               {{"ambient-missing", "output-one-pixel-off"},
+                {"specular-missing", "output-one-pixel-off"},
+                {"shadow-none", "output-one-pixel-off"}},
+               {1, 2}, unchanged, [](const CauseReport& report) {
+                 return report.claims.size() == 2 &&
+                        all_named(report).contains(Cause::half_pixel_shift);
+               });
+}
+
 TEST(Causes, ABackgroundInATurnedPicture) {
   expect_right(2, {{"output-background"}}, {1, 2}, turned(false, true),
                [](const CauseReport& report) {
@@ -937,6 +969,24 @@ TEST(Causes, ASmallMistakeBesideALargeOne) {
 }
 
 // Each edit changes one value of the file. The claim names it, and no claim names another.
+// Rounding decides whether a light in the plane of a face lights it.
+TEST(Causes, LightsInThePlaneOfAFaceAreNoEvidenceOfAnEdit) {
+  for (std::uint32_t seed = 1; seed <= 2; ++seed) {
+    GeneratedScene scene(seed);
+    const RenderPrimitive& wall = scene.builder.scene.groups[0].primitives[1];
+    for (RenderLight& light : scene.builder.scene.lights) {
+      if (light.type == LightType::point) {
+        light.position = glm::vec3(wall.group_from_object.linear * glm::dvec3(3, 1, 0.5) +
+                                   wall.group_from_object.offset);
+      }
+    }
+    const SceneView view = view_of(scene);
+    const CauseReport report = find_causes(reference_of(scene, false),
+                                           scene.drawn_by_student({"diffuse-no-cosine"}), &view);
+    EXPECT_FALSE(all_named(report).contains(Cause::scene_edited)) << seed << ": " << said(report);
+  }
+}
+
 TEST(Causes, OneEditedValueOfTheScene) {
   struct Edit {
     const char* name;

@@ -51,6 +51,14 @@ TEST(Gradebook, Text) {
             "2 students: 2 pictures passed, 1 differs, 1 missing, 0 unreadable\n");
 }
 
+TEST(Gradebook, NamesAreAlignedByColumns) {
+  const std::string cyrillic = "\u0418\u0432\u0430\u043d";
+  const std::string wide = "\u3074\u304b";
+  EXPECT_THAT(gradebook_text({{{cyrillic, {}}, {wide, {}}, {"eve", {}}}}),
+              HasSubstr(cyrillic + "  0 of 0 passed\n" + wide + "  0 of 0 passed\n" +
+                        "eve   0 of 0 passed\n"));
+}
+
 TEST(Gradebook, IgnoredFilesAreListedWithTheirReason) {
   Gradebook book = two_students();
   book.ignored = {{"who.png", "", "not known"},

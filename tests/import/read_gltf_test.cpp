@@ -130,7 +130,8 @@ std::string triangle(const std::string& accessor_count = "3", const std::string&
   return fmt::format(
       R"({{"asset":{{"version":"2.0"}},"nodes":[{{"mesh":0,"name":"a"}}],)"
       R"("meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}}}}]}}],)"
-      R"("accessors":[{{"bufferView":0,"componentType":5126,"count":{},"type":"VEC3"}}],)"
+      R"("accessors":[{{"bufferView":0,"componentType":5126,"count":{},"type":"VEC3"}},)"
+      R"({{"bufferView":0,"componentType":5126,"count":3,"type":"VEC2"}}],)"
       R"("bufferViews":[{{"buffer":0,"byteLength":36}}],)"
       R"("buffers":[{{"byteLength":36,"uri":"data:application/octet-stream;base64,{}"}}]{}}})",
       accessor_count, base64(bytes), more);
@@ -265,6 +266,60 @@ TEST(ReadGltf, SaysWhatIsLeftOut) {
                        R"(,"extensionsUsed":["KHR_materials_sheen","KHR_materials_ior",)"
                        R"("KHR_materials_sheen","KHR_materials_volume"])"),
               ElementsAre("what the extension \"KHR_materials_sheen\" adds is left out"));
+}
+
+TEST(ReadGltf, OtherWrapModesMatterOutsideOfThePicture) {
+  const std::string png = base64(
+      *encode_image(to_float(Texture{1, 1, {9, 9, 9}}), ImageFormat::png8, Rounding::nearest));
+  const auto wrapped = [&](int mode, float scale) {
+    return left_out(
+        fmt::format(R"({{"pbrMetallicRoughness":{{"baseColorTexture":{{"index":0,"extensions":{{)"
+                    R"("KHR_texture_transform":{{"scale":[{0},{0}]}}}}}}}}}})",
+                    scale),
+        R"(,"TEXCOORD_0":1)", nullptr,
+        fmt::format(R"(,"textures":[{{"source":0,"sampler":0}}],"samplers":[{{"wrapT":{}}}],)"
+                    R"("images":[{{"uri":"data:image/png;base64,{}"}}])",
+                    mode, png));
+  };
+  constexpr int repeat = 10497;
+  constexpr int clamp = 33071;
+  EXPECT_THAT(wrapped(repeat, 2), ElementsAre());
+  EXPECT_THAT(wrapped(clamp, 1), ElementsAre());
+  EXPECT_THAT(wrapped(clamp, 2),
+              ElementsAre("wrap modes of textures other than repeat are left out"));
+}
+
+TEST(ReadGltf, PerspectiveCamerasComeFirst) {
+  const std::string become = "the orthographic camera becomes a perspective camera of 45 degrees";
+  const std::string others = "cameras after the first are left out";
+  const std::string orthographic = "orthographic cameras are left out";
+  const auto read = [](const std::string& nodes, float& angle) {
+    std::string model = triangle("3", R"(,"cameras":[{"type":"orthographic"},)"
+                                      R"({"type":"perspective","perspective":{"yfov":0.5}},)"
+                                      R"({"type":"perspective","perspective":{"yfov":1}}])");
+    const std::string from = R"("name":"a"})";
+    model.replace(model.find(from), from.size(), from + nodes);
+    Diagnostics diagnostics;
+    const ImportedScene scene = read_gltf(model, {}, diagnostics);
+    angle = glm::radians(scene.scene.camera.value().height_angle_deg);
+    std::vector<std::string> messages;
+    for (const Diagnostic& d : diagnostics.list()) {
+      if (d.code == &"import.left-out"_code) {
+        messages.push_back(d.message);
+      }
+    }
+    return messages;
+  };
+  float angle = 0;
+  EXPECT_THAT(read(R"(,{"camera":0},{"camera":0})", angle), ElementsAre(others, become));
+  EXPECT_NEAR(angle, glm::radians(45.0f), 1e-5f);
+  for (const std::string nodes :
+       {R"(,{"camera":0},{"camera":1})", R"(,{"camera":1},{"camera":0})"}) {
+    EXPECT_THAT(read(nodes, angle), ElementsAre(orthographic)) << nodes;
+    EXPECT_NEAR(angle, 0.5f, 1e-5f) << nodes;
+  }
+  EXPECT_THAT(read(R"(,{"camera":1},{"camera":2})", angle), ElementsAre(others));
+  EXPECT_NEAR(angle, 0.5f, 1e-5f);
 }
 
 TEST(ReadGltf, NamesAreCutBetweenCharacters) {

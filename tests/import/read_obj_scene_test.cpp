@@ -56,6 +56,50 @@ TEST(ReadObjScene, CutsTheMeshUpByMaterial) {
   EXPECT_TRUE(scene.scene.camera);
 }
 
+Material read_red(const std::string& material, std::vector<std::string>* left_out = nullptr) {
+  Diagnostics diagnostics;
+  const ImportedScene scene = read_obj_scene(
+      two_triangles, with_files({{"a.mtl", "newmtl red\n" + material + "\nnewmtl glass\n"}}),
+      diagnostics);
+  for (const Diagnostic& d : diagnostics.list()) {
+    if (left_out != nullptr && d.code == &"import.left-out"_code) {
+      left_out->push_back(d.message);
+    }
+  }
+  return scene.scene.nodes.at(1).primitives.at(0).material;
+}
+
+TEST(ReadObjScene, GlassNeedsNoOpacity) {
+  for (const std::string illum : {"6", "7", "9"}) {
+    const Material m = read_red("Kd 1 0 0\nTf 1 0.5 1\nNi 1.5\nillum " + illum);
+    EXPECT_EQ(m.transparent, glm::vec3(1, 0.5f, 1)) << illum;
+    EXPECT_EQ(m.ior, 1.5f) << illum;
+    EXPECT_EQ(m.diffuse, glm::vec3(1, 0, 0)) << illum;
+  }
+  EXPECT_EQ(read_red("Tf 1 1 1\nillum 2").transparent, glm::vec3(0));
+  EXPECT_EQ(read_red("Ni 1.5\nillum 7").transparent, glm::vec3(0)) << "Tf is 0";
+  EXPECT_EQ(read_red("Tf 1 1 1\nd 1\nillum 7").transparent, glm::vec3(0));
+}
+
+// Of glass, d is the share of light that it lets through in addition to its own color.
+TEST(ReadObjScene, OpacityDimsTheColorOfOtherSurfaces) {
+  const std::string material = "Kd 1 0.5 0\nd 0.5\nillum ";
+  EXPECT_EQ(read_red(material + "2").diffuse, glm::vec3(.5f, .25f, 0));
+  EXPECT_EQ(read_red(material + "2").transparent, glm::vec3(.5f));
+  EXPECT_EQ(read_red(material + "9").diffuse, glm::vec3(1, .5f, 0));
+}
+
+TEST(ReadObjScene, SaysWhichPicturesAreLeftOut) {
+  for (const auto& [map, what] :
+       {std::pair{"map_d", "masks by alpha"}, std::pair{"map_opacity", "masks by alpha"},
+        std::pair{"bump", "bump and normal maps"}, std::pair{"map_Bump", "bump and normal maps"},
+        std::pair{"norm", "bump and normal maps"}, std::pair{"map_Ks", "pictures of highlights"}}) {
+    std::vector<std::string> left_out;
+    read_red(std::string(map) + " a.png", &left_out);
+    EXPECT_THAT(left_out, testing::ElementsAre(std::string(what) + " are left out"));
+  }
+}
+
 TEST(ReadObjScene, EmissionBecomesAmbientColorAndIsReported) {
   Diagnostics diagnostics;
   const ImportedScene scene = read_obj_scene(
@@ -129,7 +173,7 @@ TEST(ReadObjScene, EnforcesTheLimitOfMeshes) {
 TEST(ReadObjScene, RoundTrips) {
   Diagnostics diagnostics;
   const Scene scene = read_scene(
-      R"(<scenefile><globaldata><ambientcoeff v="1"/><diffusecoeff v="0.5"/><specularcoeff v="1"/><transparentcoeff v="1"/></globaldata><object type="tree" name="root"><transblock><object type="primitive" name="cube"><diffuse r="1" g="0" b="0.5"/><ambient r="0.1" g="0.2" b="0.3"/><specular r="1" g="0.5" b="1"/><shininess v="20"/></object></transblock><transblock><object type="primitive" name="sphere"><blend v="1"/><texture file="a.png" u="1" v="1"/></object></transblock></object></scenefile>)",
+      R"(<scenefile><globaldata><ambientcoeff v="1"/><diffusecoeff v="0.5"/><specularcoeff v="1"/><transparentcoeff v="1"/></globaldata><object type="tree" name="root"><transblock><object type="primitive" name="cube"><diffuse r="1" g="0" b="0.5"/><ambient r="0.1" g="0.2" b="0.3"/><specular r="1" g="0.5" b="1"/><shininess v="20"/></object></transblock><transblock><object type="primitive" name="sphere"><blend v="1"/><texture file="a.png" u="1" v="1"/></object></transblock><transblock><object type="primitive" name="cone"><diffuse r="1" g="0" b="0"/><transparent r="0.5" g="0.25" b="0.5"/><ior v="1.5"/></object></transblock></object></scenefile>)",
       {}, diagnostics);
   ASSERT_FALSE(diagnostics.has_errors());
   const Prepared ready = prepare(scene, {});
@@ -142,7 +186,11 @@ TEST(ReadObjScene, RoundTrips) {
       diagnostics);
   check(back.scene, {}, diagnostics);
   ASSERT_FALSE(diagnostics.has_errors());
-  ASSERT_EQ(back.scene.nodes.size(), 3u);
+  ASSERT_EQ(back.scene.nodes.size(), 4u);
+  const Material& glass = back.scene.nodes[3].primitives.at(0).material;
+  EXPECT_EQ(glass.diffuse, glm::vec3(.5f, 0, 0));
+  EXPECT_EQ(glass.transparent, glm::vec3(.5f, .25f, .5f));
+  EXPECT_EQ(glass.ior, 1.5f);
   const Material& m = back.scene.nodes[1].primitives.at(0).material;
   EXPECT_EQ(m.diffuse, glm::vec3(.5f, 0, .25f));
   EXPECT_EQ(m.ambient, glm::vec3(.1f, .2f, .3f));

@@ -294,6 +294,7 @@ TEST_F(Layout, AMissNamesTheFileThatWasProbablyMeant) {
   home.write("scenes/parts/Roof.obj");
   home.write("scenes/walls.png");
   EXPECT_THAT(misses("models/rof.obj"), HasSubstr("no such file\ndid you mean parts/Roof.obj?\n"));
+  EXPECT_THAT(misses("walls.png "), HasSubstr("no such file\ndid you mean walls.png?\n"));
   for (const char* const other : {"rof.png", "a.obj", "roofs-and-walls.obj"}) {
     EXPECT_THAT(misses(other), Not(HasSubstr("did you mean"))) << other;
   }

@@ -71,6 +71,8 @@ TEST(Item, DifferencesOfKeysAreListed) {
   EXPECT_EQ(list("a=1 b=2", "b=2 c=3"), "c::3 a:1: ");
   EXPECT_EQ(list("", "a=1"), "a::1 ");
   EXPECT_EQ(list("a=1  b x= =y", "a=1"), ":y: ");
+  EXPECT_EQ(list("a=1 a=2", "a=1 a=2"), "");
+  EXPECT_EQ(list("b=2 a=1", "a=1 b=2"), "key:b=2 a=1:a=1 b=2 ");
 }
 
 }  // namespace

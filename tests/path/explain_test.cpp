@@ -138,6 +138,15 @@ TEST(PathExplain, ShowsTheSampleNearestToTheCenterByDefault) {
     EXPECT_LE(off(pixel.samples[pixel.shown]), off(s));
   }
   EXPECT_GT(pixel.standard_error, 0);
+  EXPECT_TRUE(std::isfinite(pixel.standard_error));
+}
+
+TEST(PathExplain, TheNoiseOfOneSampleIsUnknown) {
+  const Room room = full_room(false, false);
+  PathPixel pixel;
+  ASSERT_EQ(explain_path(room.scene, room.assets, path_options(24, 18, 1), 5, 6, {}, pixel),
+            RenderStatus::complete);
+  EXPECT_TRUE(std::isinf(pixel.standard_error));
 }
 
 // Of a clear pane, a darker one and what blocks the light.

@@ -165,6 +165,38 @@ TEST(PathDenoise, IsNearerToTheTruthThanTheNoisyPicture) {
   }
 }
 
+// Bulbs smaller than a pixel in front of a wall, and a lamp behind the camera.
+Room room_of_bulbs() {
+  Room room;
+  Model model;
+  const std::uint32_t bulb = model.material(diffuse(glm::vec3(0), glm::vec3(30)));
+  model.quad({-3, -3, 0}, {6, 0, 0}, {0, 6, 0}, model.material(diffuse(glm::vec3(0.6f))));
+  for (const float x : {-0.8f, 0.0f, 0.8f}) {
+    model.quad({x - 0.01f, 0.3f * x, 0.3f}, {0.02f, 0, 0}, {0, 0.02f, 0}, bulb);
+  }
+  model.quad({-2, -2, 6}, {0, 4, 0}, {4, 0, 0},
+             model.material(diffuse(glm::vec3(0), glm::vec3(0.2f))));
+  room.add(model);
+  room.look({0, 0, 3}, {0, 0, 0}, 45);
+  return room;
+}
+
+TEST(PathDenoise, SmallLampsInFrontOfAWallAreKept) {
+  const Room room = room_of_bulbs();
+  RenderOptions many = path_options(48, 36, 1024);
+  many.seed = 1;
+  const Image truth = draw(room, many).image;
+  for (const int samples : {16, 64, 256}) {
+    SCOPED_TRACE(samples);
+    RenderOptions options = path_options(48, 36, samples);
+    const Image noisy = draw(room, options).image;
+    options.denoise = true;
+    const Image denoised = draw(room, options).image;
+    EXPECT_LT(relative_error(denoised, truth), relative_error(noisy, truth));
+    EXPECT_NEAR(mean_of(denoised).x, mean_of(noisy).x, 0.01 * mean_of(noisy).x);
+  }
+}
+
 // Beside it nothing is seen, which says nothing about its light.
 TEST(PathDenoise, ALampAsSmallAsAPixelIsKept) {
   Room room;

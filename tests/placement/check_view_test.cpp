@@ -21,10 +21,12 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-Diagnostics judge(const SceneBuilder& b, bool shadows = true, double aspect = 4) {
+Diagnostics judge(const SceneBuilder& b, bool shadows = true, double aspect = 4,
+                  bool paths = false) {
   ViewQuestion question;
   question.aspect = aspect;
   question.shadows = shadows;
+  question.paths = paths;
   question.place_of = [](std::uint32_t source) { return Location{source + 1, 1}; };
   Diagnostics diagnostics;
   check_view(b.scene, b.assets, question, diagnostics);
@@ -222,6 +224,65 @@ TEST(CheckView, DistinguishesMaterialsFromCoefficientsWithoutLight) {
   b.scene.global.diffuse = 0.5f;
   b.scene.materials[b.plain].diffuse = {0, 0, 0};
   EXPECT_THAT(judge(b).list().at(0).message, HasSubstr("no material has"));
+}
+
+TEST(CheckView, MaterialsThatReturnMoreLightThanTheyReceiveInModePath) {
+  Ball b;
+  b.add_ball({0, 0, 0});
+  b.add_ball({1, 0, 0});
+  RenderMaterial bright;
+  bright.diffuse = glm::vec3(0.75f);
+  bright.specular = bright.reflective = {0, 0.25f, 0};
+  b.add(Shape::cube, translate({-1, 0, 0}), b.material(bright));
+  const auto found = [&] { return judge(b, true, 4, true); };
+  EXPECT_THAT(codes(found()), IsEmpty()) << "shininess 0 gives no highlight";
+  b.scene.materials[1].shininess = 10;
+  EXPECT_THAT(codes(judge(b)), IsEmpty());
+  ASSERT_THAT(codes(found()), ElementsAre("material.energy"));
+  EXPECT_EQ(found().list()[0].location, (Location{3, 1}));
+  EXPECT_THAT(found().list()[0].message, HasSubstr("of the cube, each times its coefficient, add "
+                                                   "up to 1.25 in a channel"));
+  b.scene.global.specular = 0.5f;
+  EXPECT_THAT(codes(found()), IsEmpty());
+  b.scene.materials[1].transparent = glm::vec3(0.5f);
+  EXPECT_THAT(codes(found()), ElementsAre("material.energy"));
+  // The share of the texture is unknown.
+  b.scene.materials[1].texture.file = b.texture(1, 1, {255});
+  b.scene.materials[1].blend = 1;
+  EXPECT_THAT(codes(found()), IsEmpty());
+}
+
+TEST(CheckView, TexturesOfMeshesWithoutUvs) {
+  Ball b;
+  RenderMaterial textured;
+  textured.texture.file = b.texture(1, 1, {255});
+  textured.blend = 1;
+  Mesh mesh = tessellate(Shape::sphere, 6);
+  mesh.uvs.clear();
+  mesh.triangle_uvs.clear();
+  const std::uint32_t index = b.mesh(mesh);
+  for (const std::uint32_t material : {b.plain, b.material(textured), b.material(textured)}) {
+    b.add(Shape::mesh, translate({0, 0, 0}), material);
+    b.scene.groups[0].primitives.back().mesh = index;
+  }
+  const Diagnostics found = judge(b);
+  ASSERT_THAT(codes(found), ElementsAre("material.texture-without-uvs"));
+  EXPECT_EQ(found.list()[0].location, (Location{2, 1}));
+  EXPECT_EQ(
+      found.list()[0].message,
+      "the mesh \"mesh\" has no texture coordinates (vt), so its texture shows a single color");
+
+  // All faces have materials of their own.
+  FaceMaterial face;
+  b.assets.mesh_materials = {{{face}, std::vector<std::uint32_t>(mesh.triangles.size(), 0)}};
+  EXPECT_THAT(codes(judge(b)), IsEmpty());
+  b.assets.mesh_materials[0].materials[0].emission_map = 0;
+  EXPECT_THAT(codes(judge(b)), ElementsAre("material.texture-without-uvs"));
+
+  Mesh& loaded = b.assets.meshes[0];
+  loaded.uvs = {{0, 0}};
+  loaded.triangle_uvs.resize(loaded.triangles.size());
+  EXPECT_THAT(codes(judge(b)), IsEmpty());
 }
 
 TEST(CheckView, EndsOnTemplateBombs) {

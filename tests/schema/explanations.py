@@ -18,6 +18,13 @@ WAYS = ([], ["--profile", "course", "--features", "all"], ["--mode", "normals"],
 PIXELS = ("0,0", "20,24", "32,20", "33,30", "45,28", "60,40")
 
 
+def filters(program):
+    """As the message about an unknown one lists them."""
+    run = subprocess.run([program, "explain", "a.xml", "--pixel", "1,1", "--profile", "realtime", "--filter", "?"],
+                         capture_output=True, text=True, check=False)
+    return run.stderr.splitlines()[0].split("known: ")[1].split(", ")
+
+
 def compared(program, scene):
     """Without shadows and reflections, where `diff` finds a cause."""
     with tempfile.TemporaryDirectory() as folder:
@@ -50,6 +57,9 @@ def answers(program, scenes):
         for i, way in enumerate(WAYS):
             for pixel in PIXELS if i < 2 else PIXELS[1:3]:
                 yield explain(scene, "--pixel", pixel, *way, *SIZE)
+    yield explain(scenes[0], "--pixel", "32,20", "--mode", "path", "--samples", "1", *SIZE)
+    for name in filters(program):
+        yield explain(scenes[0], "--pixel", "32,20", "--profile", "realtime", "--filter", name, *SIZE)
     yield compared_path(program, pathlib.Path(scenes[0]).resolve().parent / "studio.xml")
 
 

@@ -184,6 +184,7 @@ constexpr KnownMistake table[] = {
     {"diffuse-absolute-everywhere", "diffuse", "diffuse|lights"},
     {"diffuse-half-lambert", "diffuse", "diffuse"},
     {"diffuse-over-pi", "diffuse", "diffuse"},
+    {"diffuse-no-cosine", "diffuse", "diffuse"},
     {"specular-negative-power", "specular", "specular"},
     {"specular-clamped-mirror", "specular", "specular"},
     {"specular-lit-side", "specular", "specular"},
@@ -1384,6 +1385,7 @@ class Tracer {
       weight = has("diffuse-not-clamped") ? cosine : weight;
       weight = has("diffuse-half-lambert") ? 0.5f * cosine + 0.5f : weight;
       weight = has("diffuse-over-pi") ? weight / pi : weight;
+      weight = has("diffuse-no-cosine") && cosine > 0 ? 1 : weight;
       weight = has("strange-steps") ? std::floor(weight * 4) / 4 : weight;
       weight =
           has("strange-oren") ? weight * (1.2f - 0.6f * std::abs(glm::dot(normal, eye))) : weight;

@@ -222,6 +222,12 @@ TEST(ComparePictures, NamesMistakesInJpegs) {
     EXPECT_EQ(specular.claims.front().cause, Cause::specular);
     EXPECT_TRUE(causes(still_life("0.5", "0.5"), quality).claims.empty()) << quality;
   }
+  // Right pictures; that of quality 60 is within the noise of pixels, but not of blocks.
+  for (const int quality : {95, 75, 65, 60, 55}) {
+    const CauseReport right = causes(still_life("0.5", "0.5"), quality);
+    ASSERT_EQ(right.notes.size(), 1u) << quality;
+    EXPECT_EQ(right.notes.front().what, "the colors are as inexact as those of JPEGs");
+  }
 }
 
 // Where many pixels show no light, the contrast is high, so that no single pixel is evidence.

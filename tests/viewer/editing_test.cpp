@@ -228,6 +228,10 @@ TEST_F(EditingTest, WhatCannotBeDoneIsSaid) {
   EXPECT_EQ(text(), testing::scene_text);
   perform(session, Action::undo);
   EXPECT_THAT(session.notice->text, HasSubstr("nothing to undo"));
+  perform(session, Action::remove);
+  select_label("cube");
+  perform(session, Action::remove);
+  EXPECT_FALSE(session.notice.has_value()) << "it was about an earlier edit";
 }
 
 TEST_F(EditingTest, GlobalDataAndAnUnwrittenCameraHaveFields) {
@@ -320,6 +324,77 @@ TEST_F(EditingTest, EditsBeforeAChangeOfTheFileCanStillBeUndone) {
   perform(session, Action::redo);
   EXPECT_EQ(text(), file());
   EXPECT_FALSE(has_unsaved_edits(session));
+}
+
+TEST_F(EditingTest, AFileThatWasEmptyForAMomentIsTwoSteps) {
+  select_label("sphere");
+  drag_value("diffuse", 0, "0.5");
+  perform(session, Action::save);
+  settle();
+  const std::string before = file();
+  folder.write("a.xml", "");
+  settle();
+  folder.write("a.xml", testing::scene_text + "<!-- rewritten -->");
+  settle();
+  EXPECT_EQ(text(), file());
+  EXPECT_FALSE(has_unsaved_edits(session));
+  for (const std::string& earlier : {std::string(), before, testing::scene_text}) {
+    perform(session, Action::undo);
+    EXPECT_EQ(text(), earlier);
+  }
+}
+
+TEST_F(EditingTest, ADeletedFileIsSavedAgain) {
+  std::filesystem::remove(path);
+  settle();
+  EXPECT_FALSE(has_unsaved_edits(session));
+  perform(session, Action::quit);
+  EXPECT_FALSE(session.quit);
+  ASSERT_TRUE(session.question.has_value());
+  EXPECT_THAT(session.question->text, HasSubstr("a.xml no longer exists"));
+  answer("Cancel");
+  perform(session, Action::save);
+  EXPECT_EQ(file(), testing::scene_text);
+  perform(session, Action::quit);
+  EXPECT_TRUE(session.quit);
+  session.quit = false;
+  std::filesystem::remove(path);
+  perform(session, Action::quit);
+  answer("Discard");
+  EXPECT_TRUE(session.quit);
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST_F(EditingTest, TheSceneOnShowDoesNotChangeTheFileWithErrors) {
+  const std::string broken = testing::scene_text + "<difuse/>";
+  select_label("sphere");
+  open_scene(session, folder.write("b.xml", broken));
+  settle();
+  ASSERT_NE(session.broken, nullptr);
+  wheel_turned(session, 2);
+  for (const Action action : {Action::use_view, Action::collect_view, Action::drop_view,
+                              Action::add, Action::duplicate, Action::remove, Action::wrap}) {
+    session.notice.reset();
+    perform(session, action);
+    ASSERT_TRUE(session.notice.has_value());
+    EXPECT_EQ(session.notice->text, "the picture still shows a.xml, not b.xml");
+    EXPECT_EQ(text(), broken);
+  }
+  EXPECT_EQ(refusal_to_edit(session), session.notice->text) << "for the panel";
+  EXPECT_FALSE(session.adding);
+  EXPECT_FALSE(std::filesystem::exists("b-views.json"));
+}
+
+TEST_F(EditingTest, ALaterVersionWithErrorsCanBeEdited) {
+  select_label("sphere");
+  rewrite("<diffuse", "<difuse");
+  ASSERT_NE(session.broken, nullptr);
+  perform(session, Action::remove);
+  EXPECT_THAT(session.notice->text, HasSubstr("not in the text"));
+  wheel_turned(session, 2);
+  const std::string before = text();
+  perform(session, Action::use_view);
+  EXPECT_NE(text(), before);
 }
 
 TEST_F(EditingTest, TheCopyOfATransblockIsSelectedAsOne) {

@@ -103,6 +103,35 @@ TEST_F(PixelTest, AClickReadsItsPixel) {
   EXPECT_EQ(readout_text(session), "");
 }
 
+TEST_F(PixelTest, APictureOfAnotherShapeExplainsWhatWasClicked) {
+  click(145, 155);
+  ASSERT_EQ(session.readout.pixel, glm::ivec2(14, 15));
+  const Ray before = ray_in_window(session, {145, 155});
+  session.picture.size = {300, 300};  // the panel of the pixel opens
+  set_pixels(session, {30, 30});
+  settle();
+  EXPECT_EQ(session.readout.pixel, glm::ivec2(9, 15));
+  EXPECT_THAT(session.readout.terms, HasSubstr("terms of 9,15"));
+  const Ray after = ray_in_window(session, *session.readout.at * session.picture.size);
+  EXPECT_LT(glm::distance(before.direction, after.direction), 1e-9);
+  click(290, 155);
+  session.picture.size = {150, 300};
+  set_pixels(session, {15, 30});
+  EXPECT_FALSE(session.readout.at.has_value());
+  EXPECT_TRUE(session.explaining);
+  EXPECT_THAT(session.notice->text, HasSubstr("click again"));
+}
+
+TEST_F(PixelTest, InRealtimeToo) {
+  perform(session, Action::realtime);
+  click(145, 155);
+  const Ray before = ray_in_window(session, {145, 155});
+  session.picture.size = {300, 300};
+  set_pixels(session, {30, 30});
+  const Ray after = ray_in_window(session, *session.readout.at * session.picture.size);
+  EXPECT_LT(glm::distance(before.direction, after.direction), 0.02) << "sizes are rounded";
+}
+
 TEST_F(PixelTest, PlainClicksExplainOnlyWhileThePanelIsOpen) {
   click(140, 150, false);
   EXPECT_TRUE(session.selected.has_value());

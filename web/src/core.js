@@ -66,10 +66,11 @@ function buffersIn(value) {
     : [];
 }
 
-export function json(pointer) {
+/** `prefix`: what to leave out at the start of an error. */
+export function json(pointer, prefix = '') {
   const answer = JSON.parse(answerOf(pointer));
   if (answer.error !== undefined) {
-    throw new Error(answer.error);
+    throw new Error(answer.error.replace(prefix, ''));
   }
   return answer;
 }

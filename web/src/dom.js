@@ -1,4 +1,4 @@
-// Elements from names, properties and children. Strings become text, never markup.
+// Elements from names, properties and children, which may be nested arrays. Strings become text, never markup.
 
 export function h(name, properties = {}, ...children) {
   const element = document.createElement(name);
@@ -11,7 +11,7 @@ export function h(name, properties = {}, ...children) {
       element.setAttribute(key, value);
     }
   }
-  element.append(...children.flat().filter((child) => child !== null && child !== undefined));
+  element.append(...children.flat(Infinity).filter((child) => child !== null && child !== undefined));
   return element;
 }
 

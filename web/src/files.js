@@ -9,6 +9,7 @@ export const isSceneName = (path) => /\.(xml|json)$/i.test(path);
 export const pictureEndings = ['.png', '.jpg', '.jpeg', '.gif', '.bmp', '.tga', '.ppm', '.pgm', '.pnm', '.pfm', '.exr'];
 export const isPictureName = (path) => pictureEndings.some((ending) => path.toLowerCase().endsWith(ending));
 export const isModelName = (path) => /\.(glb|gltf|obj)$/i.test(path);
+export const isMeshName = (path) => /\.(obj|mtl)$/i.test(path);
 export const baseName = (path) => path.slice(path.lastIndexOf('/') + 1);
 
 // Files that archivers and operating systems add.

@@ -5,7 +5,7 @@ import { afterPause, byId, download, h } from './dom.js';
 import { Editor } from './editor.js';
 import { Engine } from './engine.js';
 import { explanation, lineOfObject } from './explain.js';
-import { baseName, fromDrop, fromInput, isModelName, isPictureName, isSceneName, packed, pictureEndings, readAll } from './files.js';
+import { baseName, fromDrop, fromInput, isMeshName, isModelName, isPictureName, isSceneName, packed, pictureEndings, readAll } from './files.js';
 import { linkOf, sceneOf } from './link.js';
 import { Picture } from './picture.js';
 import * as store from './store.js';
@@ -329,7 +329,9 @@ async function take(list, forComparison = false) {
     failed(error);
     return;
   }
+  clearNotice('opened');
   if (files.size === 0) {
+    notice('opened', 'There is nothing to open: no files, or only hidden ones.');
     return;
   }
   const scenes = [...files.keys()].filter(isSceneName);
@@ -347,17 +349,38 @@ async function take(list, forComparison = false) {
     return;
   }
   if (scenes.length === 0) {
-    for (const [path, bytes] of files) {
-      scene.files.set(path, bytes);
-    }
-    scene.filesVersion += 1;
-    scene.version += 1;
-    scene.filesSaved = false;
-    edited();
-    run();
+    addFiles(files, isWanted);
     return;
   }
   openFrom(files, scenes[0]);
+}
+
+// Adds files to the scene. Those that no scene can use are not kept.
+function addFiles(files, isWanted) {
+  const isUsable = (path) => isWanted(path) || isPictureName(path) || isMeshName(path);
+  const [usable, others] = [isUsable, (path) => !isUsable(path)].map((which) => [...files.keys()].filter(which));
+  const named = (paths) => `${baseName(paths[0])}${paths.length > 1 ? ` and ${paths.length - 1} more` : ''}`;
+  const messages = [];
+  if (others.length > 0) {
+    messages.push(others.length === 1
+      ? `${named(others)} is neither a scene, a picture, a mesh nor a zip file.`
+      : `${named(others)} are neither scenes, pictures, meshes nor zip files.`);
+  }
+  if (usable.length > 0 && !usable.some(isWanted)) {
+    messages.push(`${named(usable)} ${usable.length === 1 ? 'was' : 'were'} added, but the scene does not name ${usable.length === 1 ? 'it' : 'them'}.`);
+  }
+  if (messages.length > 0) {
+    notice('opened', messages.join(' '));
+  }
+  if (usable.length === 0) {
+    return;
+  }
+  usable.forEach((path) => scene.files.set(path, files.get(path)));
+  scene.filesVersion += 1;
+  scene.version += 1;
+  scene.filesSaved = false;
+  edited();
+  run();
 }
 
 // Opens a glTF or OBJ file as a new scene.

@@ -53,9 +53,10 @@ serve(createScenefile, {
   },
   decode({ bytes }) {
     core.FS.mkdirTree('/out');
-    core.FS.writeFile('/out/picture', bytes);
-    const pointer = withStack((string) => core._page_decode(string('/out/picture')));
-    const { width, height } = json(lastAnswer());
+    const path = '/out/picture';
+    core.FS.writeFile(path, bytes);
+    const pointer = withStack((string) => core._page_decode(string(path)));
+    const { width, height } = json(lastAnswer(), `${path}: `);
     return { width, height, data: pixelsOf(pointer, 4 * width * height) };
   },
   png: ({ data, width, height }) =>

@@ -62,7 +62,9 @@ beforeEach(async () => {
   page = await newPage();
 });
 afterEach(async () => {
+  const shown = page.isClosed() ? '' : await page.textContent('body');
   await context.close();
+  assert.doesNotMatch(shown, /\[object /, 'an element is shown as text');
   assert.deepEqual(problems, []);
 });
 
@@ -237,6 +239,27 @@ test('lists missing files and accepts them later', async () => {
   await giveAndDraw({ 'wall.png': bricks });
   assert.equal(await page.isVisible('#missing'), false);
   assert.notEqual(await pixels(), before);
+});
+
+test('files that no scene can use are named and not kept', async () => {
+  await open();
+  await giveAndDraw({ 'textured.xml': textured });
+  const notices = () => page.innerText('#notices');
+  const files = async () => Object.keys(unzipSync((await save('#save-zip')).bytes)).sort();
+  await give({ 'lee.rar': 'Rar!' });
+  await page.waitForSelector('text=lee.rar is neither a scene, a picture, a mesh nor a zip file.');
+  await give({ 'notes.zip': zipSync({ 'notes.txt': Buffer.from('x'), 'main.cpp': Buffer.from('x') }) });
+  await page.waitForSelector('text=notes.txt and 1 more are neither scenes, pictures, meshes nor zip files.');
+  await give({ 'empty.zip': zipSync({ '__MACOSX/x.xml': Buffer.from('x') }) });
+  await page.waitForSelector('text=There is nothing to open');
+  assert.deepEqual(await files(), ['textured.xml']);
+  await giveAndDraw({ 'more.zip': zipSync({ 'a.png': bricks, 'b.mtl': Buffer.from(''), 'c.txt': Buffer.from('') }) });
+  assert.match(await notices(), /c\.txt is neither .* a\.png and 1 more were added, but the scene does not name them\./);
+  await giveAndDraw({ 'wall.png': bricks });
+  assert.equal(await notices(), '');
+  assert.deepEqual(await files(), ['a.png', 'b.mtl', 'textured.xml', 'wall.png']);
+  await give({ 'text.png': 'not a picture' });
+  await page.waitForSelector('text=text.png: not a picture that scenefile reads');
 });
 
 test('opens a zip with a scene and its textures', async () => {
@@ -1008,6 +1031,21 @@ test('explains a pixel and selects its line', async () => {
   await page.fill('#pixel-y', '1');
   await page.click('#explain-form button');
   await page.waitForSelector('text=the ray hits no object');
+});
+
+test('explains a pixel in shadow that reflects an object', async () => {
+  await open();
+  await page.click('#explain-panel > summary');
+  await page.fill('#pixel-x', '330');
+  await page.fill('#pixel-y', '290');
+  await page.click('#explain-form button');
+  await page.waitForSelector('#explain-result table');
+  const rows = (await page.locator('#explain-result tr').allInnerTexts()).map((row) => row.replace(/\s+/g, ' '));
+  assert.ok(rows.some((row) => /^point light .* in shadow of root\/#1 line 19$/.test(row)), rows.join('\n'));
+  assert.ok(rows.some((row) => /^reflected [\d. ]+ × [\d. ]+$/.test(row)), rows.join('\n'));
+  await page.click('#explain-result tr:has-text("in shadow of") button:has-text("line 19")');
+  const selected = await page.evaluate(() => document.getElementById('editor').shadowRoot.querySelector('.cm-activeLine').textContent);
+  assert.match(selected, /name="sphere"/);
 });
 
 // A floor and a lamp above it.

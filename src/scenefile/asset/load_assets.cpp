@@ -162,7 +162,7 @@ class MeshLoader {
 
   void report(const Code& code, const FileReference& file, const std::string& why,
               const std::vector<std::string>& notes) {
-    const char* consequence = options_.allow_missing ? "; drawing without it" : "";
+    const char* consequence = options_.allow_missing ? "; it is left out" : "";
     diagnostics_.report(code, softened(code.severity), file.location,
                         fmt::format("mesh {}: {}{}", quoted(file.name, 200), why, consequence),
                         notes);

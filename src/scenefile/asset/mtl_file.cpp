@@ -34,11 +34,13 @@ constexpr std::pair<std::string_view, Map> mtl_maps[] = {{"map_Kd", &MtlMaterial
 constexpr std::array<std::string_view, 6> mtl_other{"newmtl", "Ns", "Ni", "d", "Tr", "illum"};
 
 // Statements of the format, of tinyobjloader and of common exporters that no picture shows.
-constexpr std::string_view mtl_unused[] = {
-    "map_Ka",      "map_Ns",    "map_d",  "map_bump", "map_Bump", "bump",   "disp",     "map_disp",
-    "decal",       "refl",      "norm",   "map_Kn",   "map_Tr",   "map_Tf", "map_refl", "map_aat",
-    "map_opacity", "sharpness", "Km",     "Kr",       "Pr",       "Pm",     "Ps",       "Pc",
-    "Pcr",         "aniso",     "anisor", "map_Pr",   "map_Pm",   "map_Ps"};
+constexpr std::string_view mtl_alpha_maps[] = {"map_d", "map_Tr", "map_opacity"};
+constexpr std::string_view mtl_bump_maps[] = {"map_bump", "map_Bump", "bump",  "disp",
+                                              "map_disp", "norm",     "map_Kn"};
+constexpr std::string_view mtl_unused[] = {"map_Ka",   "map_Ns",  "decal",     "refl",   "map_Tf",
+                                           "map_refl", "map_aat", "sharpness", "Km",     "Kr",
+                                           "Pr",       "Pm",      "Ps",        "Pc",     "Pcr",
+                                           "aniso",    "anisor",  "map_Pr",    "map_Pm", "map_Ps"};
 
 // An option of a map and its values: up to `numbers` numbers, or one word. `neutral` has no effect:
 // a digit for each number, or a word; empty if no value has an effect on colors.
@@ -58,6 +60,11 @@ auto find_word(const List& list, std::string_view word) {
   const auto* const found = std::find_if(std::begin(list), std::end(list),
                                          [&](const auto& entry) { return entry.first == word; });
   return found == std::end(list) ? nullptr : found;
+}
+
+template <typename List>
+bool contains(const List& list, std::string_view word) {
+  return std::find(std::begin(list), std::end(list), word) != std::end(list);
 }
 
 class MtlReader {
@@ -112,8 +119,11 @@ class MtlReader {
       read_opacity(keyword);
     } else if (keyword == "illum") {
       read_illum(keyword);
-    } else if (std::find(std::begin(mtl_unused), std::end(mtl_unused), keyword) ==
-               std::end(mtl_unused)) {
+    } else if (contains(mtl_alpha_maps, keyword)) {
+      draft_->has_alpha_map = true;
+    } else if (contains(mtl_bump_maps, keyword)) {
+      draft_->has_bump_map = true;
+    } else if (!contains(mtl_unused, keyword)) {
       note_unknown(keyword);
     }
     return true;

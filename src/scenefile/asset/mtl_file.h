@@ -34,6 +34,8 @@ struct MtlMaterial {
   FileReference diffuse_map;  ///< map_Kd; without a name if there is none
   FileReference specular_map;
   FileReference emission_map;
+  bool has_alpha_map = false;  ///< map_d and other names for it; no picture is read
+  bool has_bump_map = false;   ///< bump, norm, disp, ...; likewise
 };
 
 /// Reads the text of a library: the materials in its order, without those whose name an earlier one

@@ -1,5 +1,6 @@
 #include "scenefile/asset/obj_words.h"
 
+#include "scenefile/base/ascii.h"
 #include "scenefile/base/text.h"
 
 #include <string>
@@ -91,11 +92,18 @@ std::string_view ObjWords::next_word() {
   return text_.substr(start, at_ - start);
 }
 
+// Whether a # belongs to the name that ends at `end`, as in "wall#2" and "Material #25".
+bool ObjWords::number_sign_in_name(std::size_t end) const {
+  return at_ < text_.size() && text_[at_] == '#' &&
+         (at_ == end || (at_ + 1 < text_.size() && is_digit(text_[at_ + 1])));
+}
+
 std::string_view ObjWords::rest(std::string_view first) {
   const auto start = static_cast<std::size_t>(first.data() - text_.data());
   std::size_t end = start + first.size();
-  while (at_ < text_.size()) {
-    if (text_[at_] == '#' && at_ == end && end > start) {
+  while (true) {
+    skip_blanks();
+    if (end > start && number_sign_in_name(end)) {
       ++at_;
     } else if (next_word().empty()) {
       break;

@@ -22,7 +22,7 @@ class ObjWords {
   /// The next word of the statement; empty when there is none.
   std::string_view next_word();
   /// From `first`, the word returned last, to the last word of the statement: a name that may hold
-  /// blanks. A # inside a word belongs to it, as in file names.
+  /// blanks. A # inside a word belongs to it, and one before a digit: "Material #25".
   std::string_view rest(std::string_view first);
 
   /// How many bytes of the text were read.
@@ -36,6 +36,7 @@ class ObjWords {
   void skip_comment();
   std::size_t line_end_bytes(std::size_t at) const;
   void pass_line_end(std::size_t bytes);
+  bool number_sign_in_name(std::size_t end) const;
 
   std::string_view text_;
   std::size_t at_ = 0;

@@ -157,6 +157,11 @@ std::string lower_case(std::string_view text) {
   return result;
 }
 
+std::string lower_case_extension(std::string_view path) {
+  const std::size_t dot = path.find_last_of("./");
+  return dot == std::string_view::npos || path[dot] == '/' ? "" : lower_case(path.substr(dot));
+}
+
 bool equal_ignoring_case(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](char x, char y) { return lower(x) == lower(y); });

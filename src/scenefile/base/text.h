@@ -51,6 +51,9 @@ std::string with_article(std::string_view word);
 /// ASCII letters to lower case.
 std::string lower_case(std::string_view text);
 
+/// The extension of a file in lower case: ".xml" for "a/B.XML"; empty if there is none.
+std::string lower_case_extension(std::string_view path);
+
 /// Whether the texts are equal, ignoring the case of ASCII letters.
 bool equal_ignoring_case(std::string_view a, std::string_view b);
 

@@ -469,7 +469,8 @@ std::vector<const WrittenAttribute*> field_attributes(const XmlContext& context,
                                                       const FieldWord& word) {
   if (word.kind == ValueKind::image) {
     return {element.written_as(find_image_file(context, element.tag)),
-            element.written_as(element.tag.find("u")), element.written_as(element.tag.find("v"))};
+            element.written_as(find_repeat(context, element.tag, "u")),
+            element.written_as(find_repeat(context, element.tag, "v"))};
   }
   return attributes_of(context, element, signature_of(word.kind));
 }

@@ -14,6 +14,9 @@
 
 namespace scenefile {
 
+/// Why files in UTF-16 cannot be changed.
+inline constexpr std::string_view utf16_refusal = "the file is in UTF-16; save it as UTF-8 first";
+
 class FileText {
  public:
   /// `bytes` in any encoding; the text is empty if it cannot be read, or is UTF-16.

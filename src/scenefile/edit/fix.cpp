@@ -455,17 +455,19 @@ bool joins_lines(std::string_view text, const Edit& edit) {
   });
 }
 
+bool has_certain_correction(const Diagnostic& d, const std::vector<std::string>& ignored) {
+  return d.severity != Severity::note && d.correction && d.correction->certain &&
+         std::find(ignored.begin(), ignored.end(), d.code->name) == ignored.end();
+}
+
 // The certain corrections of a text.
 std::vector<Candidate> candidates_of(std::string_view text, const FileText& file,
                                      const Reading& reading,
                                      const std::vector<std::string>& ignored) {
   std::vector<Candidate> candidates;
   for (const Diagnostic& d : reading.findings.list()) {
-    if (d.severity == Severity::note || !d.correction || !d.correction->certain ||
-        std::find(ignored.begin(), ignored.end(), d.code->name) != ignored.end()) {
-      continue;
-    }
-    if (std::optional<Edit> edit = edit_of(file, d); edit && !joins_lines(text, *edit)) {
+    std::optional<Edit> edit = has_certain_correction(d, ignored) ? edit_of(file, d) : std::nullopt;
+    if (edit && !joins_lines(text, *edit)) {
       candidates.push_back({&d, *std::move(edit)});
     }
   }
@@ -518,11 +520,18 @@ FixedText fix_text(std::string text, const ReadOptions& options,
   constexpr int most_rounds = 100;
   const std::string before = text;
   const FileText original(before);
-  FixedText fixed{std::move(text), {}};
+  FixedText fixed{std::move(text), {}, {}};
   std::vector<Edit> backs;
   for (int i = 0; i < most_rounds; ++i) {
     const FileText file(fixed.text);
     const Reading reading = read_and_check(fixed.text, options);
+    const auto& list = reading.findings.list();
+    if (file.text().empty() && std::any_of(list.begin(), list.end(), [&](const Diagnostic& d) {
+          return has_certain_correction(d, ignored);
+        })) {
+      fixed.refused = utf16_refusal;
+      break;
+    }
     const std::vector<Candidate> candidates = candidates_of(fixed.text, file, reading, ignored);
     Round round(fixed.text, file, reading, options);
     // Mistakes at which reading may have stopped, other errors, which may change values, and

@@ -34,6 +34,7 @@ std::vector<std::vector<Replacement>> replacements(std::string_view bytes,
 struct FixedText {
   std::string text;
   std::vector<Diagnostic> made;  ///< the findings that are fixed; their places are in the old text
+  std::string refused;  ///< why certain corrections cannot be made in this file; else empty
 };
 
 /// Fixes what is beyond doubt, again and again until nothing changes, so that fixing the result

@@ -1,6 +1,7 @@
 #include "scenefile/edit/syntax.h"
 
 #include "scenefile/base/text.h"
+#include "scenefile/edit/file_text.h"
 #include "scenefile/format/json_syntax.h"
 #include "scenefile/format/scene_text.h"
 #include "scenefile/format/text_places.h"
@@ -216,7 +217,7 @@ Result<Syntax> parse_syntax(std::string_view bytes, const ReadOptions& options) 
     return Error{"the file is larger than 2 GiB, too large to edit", ErrorKind::limit};
   }
   if (bytes.find('\0') != std::string_view::npos) {
-    return input_error("the file is in UTF-16; save it as UTF-8 first");
+    return input_error(std::string(utf16_refusal));
   }
   Diagnostics found(options.limits);
   std::string storage;

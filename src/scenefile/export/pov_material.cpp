@@ -87,6 +87,11 @@ bool gray(const glm::vec3& c) {
 
 }  // namespace
 
+bool pov_opens(std::string_view path) {
+  return std::none_of(path.begin(), path.end(),
+                      [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
+}
+
 bool PovMaterial::transparent() const {
   return options.refract && global.transparent.value_or(options.transparent) > 0 &&
          largest(material->transparent) > 0;
@@ -95,11 +100,13 @@ bool PovMaterial::transparent() const {
 PovMaterial pov_material(const RenderScene& scene, std::uint32_t index,
                          std::span<const Texture> textures,
                          std::span<const std::string> texture_paths, const PovOptions& options) {
-  PovMaterial m{&scene.materials[index], scene.global, options, {}, {}};
+  PovMaterial m{&scene.materials[index], scene.global, options, {}, {}, false};
   const RenderTexture& texture = m.material->texture;
   if (options.texture && texture.used() && m.material->blend > 0 &&
       !textures[texture.file].empty()) {
-    m.texture_path = texture_paths[texture.file];
+    const std::string& path = texture_paths[texture.file];
+    m.lost_texture = !pov_opens(path);
+    m.texture_path = m.lost_texture ? std::string() : path;
     m.texture_kind = lower_case(textures[texture.file].format);
   }
   return m;
@@ -118,6 +125,15 @@ void report_differences(const PovMaterial& m, Diagnostics& diagnostics) {
   }
   if (m.transparent()) {
     note("transparency dims the color of the surface itself");
+  }
+  if (m.lost_texture) {
+    report_once("pov.lost"_code,
+                "textures whose path has a character other than ASCII are left out: POV-Ray cannot "
+                "open them; rename the files or their folders",
+                diagnostics);
+  }
+  if (m.textured() && m.texture_kind == "gif") {
+    note("POV-Ray scrambles interlaced GIF files; save such textures as PNG");
   }
   if (m.options.texture && material.bump_map.used()) {
     report_once("pov.lost"_code, "bump maps are left out", diagnostics);

@@ -17,8 +17,9 @@ struct PovMaterial {
   const RenderMaterial* material = nullptr;
   RenderGlobal global;
   PovOptions options;
-  std::string texture_path;  ///< empty: no visible texture
-  std::string texture_kind;  ///< "jpeg"
+  std::string texture_path;   ///< empty: no visible texture
+  std::string texture_kind;   ///< "jpeg"
+  bool lost_texture = false;  ///< there would be one, but POV-Ray cannot open it
 
   bool textured() const { return !texture_path.empty(); }
   bool transparent() const;

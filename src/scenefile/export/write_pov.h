@@ -8,6 +8,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace scenefile {
 
@@ -24,9 +25,12 @@ struct PovOptions {
   bool path = false;  ///< the scene is as use_face_materials() left it (export/face_materials.h)
 };
 
+/// Whether POV-Ray can open the path: its file names are ASCII.
+bool pov_opens(std::string_view path);
+
 /// Writes the scene in POV-Ray's language. Meshes are smooth if they have normals. `texture_paths`
-/// are the paths of texture_files for POV-Ray; instead of a texture that could not be used, the
-/// diffuse color is.
+/// are the paths of texture_files for POV-Ray; instead of a texture that could not be used, or
+/// whose path POV-Ray cannot open, the diffuse color is.
 ///
 /// Groups become `#declare`d unions that instances refer to, so the size of the text is linear in
 /// the size of the scene. Geometry, camera, texture coordinates, blend, mirrors, shadows, point and

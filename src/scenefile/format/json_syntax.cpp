@@ -7,6 +7,7 @@
 #include "scenefile/format/codes.h"
 #include "scenefile/format/scene_text.h"
 #include "scenefile/format/text_places.h"
+#include "scenefile/format/xml_scanner.h"
 
 #include <fmt/format.h>
 
@@ -401,6 +402,9 @@ class Explainer {
       f.correction = Correction{";", ","};
     } else if (std::string_view("+-*/^").find(found()) != std::string_view::npos) {
       f.message = "JSON does not calculate; write the result";
+    } else if (const std::size_t mark = typographic_quote(text_.substr(at_)); mark != 0) {
+      f.message = "a typographic quotation mark, as word processors insert it; use \"";
+      straighten(mark, f);
     } else if (const std::string hint = bracket_hint(); !hint.empty()) {
       f.message = hint;
     } else if (lacks_comma()) {
@@ -431,12 +435,25 @@ class Explainer {
     if (is_odd_blank(c.value)) {
       return odd_blank_text(c.value);
     }
-    for (const std::string_view quote : {"\u201C", "\u201D", "\u201E", "\u2018", "\u2019"}) {
-      if (text_.substr(at_).starts_with(quote)) {
-        return "a typographic quotation mark, as word processors insert it; use \"";
-      }
-    }
     return {};
+  }
+
+  // Corrects what is in typographic marks, if a string could be in their place.
+  void straighten(std::size_t mark, Finding& f) const {
+    const std::size_t first = at_ + mark;
+    std::size_t end = first;
+    while (end < text_.size() && static_cast<unsigned char>(text_[end]) >= ' ' &&
+           text_[end] != '"' && text_[end] != '\\' && typographic_quote(text_.substr(end)) == 0) {
+      ++end;
+    }
+    const std::size_t after = end + typographic_quote(text_.substr(end));
+    const bool closed = after != end && text_.find_first_of(" \t\r\n:,]}", after) == after;
+    const bool expected = error_.fault == JsonFault::key || error_.fault == JsonFault::value;
+    if (closed && expected && end != first) {
+      const std::string string = fmt::format("\"{}\"", text_.substr(first, end - first));
+      f.repair = {at_, fmt::format("{}{:{}}", string, "", after - at_ - string.size())};
+      f.correction = Correction{std::string(text_.substr(at_, after - at_)), string};
+    }
   }
 
   // Whether more follows after white space, as if a comma were missing.

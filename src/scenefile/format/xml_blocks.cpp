@@ -49,6 +49,25 @@ std::size_t find_word(const XmlContext& context, Place place, std::string_view w
   return i;
 }
 
+// Finds the attribute, preferring the exact name, otherwise ignoring case, which no program of the
+// course accepts.
+const XmlAttribute* find_in_any_case(const XmlContext& context, const XmlTag& tag,
+                                     std::string_view name) {
+  if (const XmlAttribute* exact = tag.find(name)) {
+    return exact;
+  }
+  for (const XmlAttribute& attribute : tag.attributes) {
+    if (equal_ignoring_case(attribute.name, name)) {
+      context.report("xml.name-case"_code, attribute,
+                     fmt::format("attribute {} of {} was read as {}", attribute.name,
+                                 element_text(tag.name), name),
+                     correction(attribute.name, name));
+      return &attribute;
+    }
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 // Global data and the camera.
@@ -343,16 +362,16 @@ Rare<TextureUse> read_texture(const WrittenXml& from, bool is_texture, Primitive
   if (file == nullptr || !name_fits(from.context, from.tag, *file)) {
     return {};
   }
-  const std::array<const XmlAttribute*, 3> in_order = {file, from.tag.find("u"),
-                                                       from.tag.find("v")};
+  const std::array<const XmlAttribute*, 3> in_order = {
+      file, find_repeat(from.context, from.tag, "u"), find_repeat(from.context, from.tag, "v")};
   report_order(from.context, from.tag, in_order, known);
   TextureUse texture{std::string(file->value), 1, 1, from.tag.location};
   for (const XmlAttribute& attribute : from.tag.attributes) {
     if (&attribute == file) {
       continue;
     }
-    if (attribute.name == "u" || attribute.name == "v") {
-      float& repeat = attribute.name == "u" ? texture.repeat_u : texture.repeat_v;
+    if (&attribute == in_order[1] || &attribute == in_order[2]) {
+      float& repeat = &attribute == in_order[1] ? texture.repeat_u : texture.repeat_v;
       repeat = read_number(from.context, from.tag, attribute, repeat) ? repeat : 1;
     } else if (is_blend_name(attribute.name)) {
       read_bare_blend(from, attribute, is_texture, draft, primitive);
@@ -371,7 +390,8 @@ const XmlAttribute* find_image_file(const XmlContext& context, const XmlTag& tag
   }
   const XmlAttribute* found = tag.find("filename");
   for (const XmlAttribute& attribute : tag.attributes) {
-    const bool other = attribute.name != "u" && attribute.name != "v" &&
+    const bool other = !equal_ignoring_case(attribute.name, "u") &&
+                       !equal_ignoring_case(attribute.name, "v") &&
                        parse_number(attribute.value).error == NumberError::malformed;
     found = found == nullptr && other ? &attribute : found;
   }
@@ -385,6 +405,11 @@ const XmlAttribute* find_image_file(const XmlContext& context, const XmlTag& tag
                              element_text(tag.name)),
                  correction(found->name, "file"));
   return found;
+}
+
+const XmlAttribute* find_repeat(const XmlContext& context, const XmlTag& tag,
+                                std::string_view name) {
+  return context.options.compat_course ? tag.find(name) : find_in_any_case(context, tag, name);
 }
 
 bool read_primitive_part(const XmlContext& context, const XmlTag& tag, PrimitiveDraft& draft,
@@ -469,24 +494,6 @@ struct Found {
 
   bool is_mesh() const { return name != nullptr && equal_ignoring_case(name->value, "mesh"); }
 };
-
-// Finds the attribute, preferring the exact name, otherwise ignoring case, which no program of the
-// course accepts.
-const XmlAttribute* find_in_any_case(const XmlContext& context, const XmlTag& tag,
-                                     std::string_view name) {
-  if (const XmlAttribute* exact = tag.find(name)) {
-    return exact;
-  }
-  for (const XmlAttribute& attribute : tag.attributes) {
-    if (equal_ignoring_case(attribute.name, name)) {
-      context.report("xml.name-case"_code, attribute,
-                     fmt::format("attribute {} of <object> was read as {}", attribute.name, name),
-                     correction(attribute.name, name));
-      return &attribute;
-    }
-  }
-  return nullptr;
-}
 
 Found find_attributes(const XmlContext& context, const XmlTag& tag) {
   Found found{tag.find("type"), tag.find("name"), tag.find("filename"), tag.find("meshfile"), {}};

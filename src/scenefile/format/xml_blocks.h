@@ -77,6 +77,11 @@ struct PrimitiveDraft {
 /// is not a number. Returns nullptr, after an error, if there is none.
 const XmlAttribute* find_image_file(const XmlContext& context, const XmlTag& tag);
 
+/// The attribute `name` of a texture, "u" or "v", in any letter case unless read as by the course's
+/// programs. Reports another letter case. Returns nullptr if there is none.
+const XmlAttribute* find_repeat(const XmlContext& context, const XmlTag& tag,
+                                std::string_view name);
+
 /// Reads a child of a primitive. Returns false to skip it with its contents.
 bool read_primitive_part(const XmlContext& context, const XmlTag& tag, PrimitiveDraft& draft,
                          Scene& scene);

@@ -326,6 +326,7 @@ Acne find_acne(const Simulation& sim, const Combination& made, double least) {
   const Model right(right_trial.scene, *sim.shapes, *sim.view->assets, right_trial.options,
                     right_trial.mistakes);
   std::vector<const Point*> spots;
+  std::vector<const Point*> evidence;  // those that acne explains, or that cannot be checked
   std::size_t differing = 0;
   std::size_t between = 0;  // between unlit and fully lit
   std::size_t dull = 0;
@@ -364,6 +365,7 @@ Acne find_acne(const Simulation& sim, const Combination& made, double least) {
     spots.push_back(&p);
     const RenderMaterial& m = picture.material(hit);
     if (m.transparent != glm::vec3(0)) {
+      evidence.push_back(&p);
       continue;  // shows other surfaces with acne
     }
     const std::vector<dvec3> arriving = picture.model().light_shares(ray);
@@ -384,6 +386,9 @@ Acne find_acne(const Simulation& sim, const Combination& made, double least) {
       ++controls;
       lacking_by_chance +=
           !lacks_all && lacks_lights(picture, lit - 0.7 * lack, full, arriving) ? 1 : 0;
+    }
+    if (lacks || m.reflective != glm::vec3(0)) {
+      evidence.push_back(&p);
     }
     if (m.reflective == glm::vec3(0)) {
       ++dull;
@@ -425,7 +430,7 @@ Acne find_acne(const Simulation& sim, const Combination& made, double least) {
          fmt::format("{} of the pixels that differ on mirrors show the mirror itself",
                      percent(mirrored)),
          mirrored});
-    return is_noise(sim, picture, spots) ? acne : Acne();
+    return is_noise(sim, picture, evidence) ? acne : Acne();
   }
   // On mirrors, the reflection may show acne, too, so the missing light may fit no set of lights.
   const bool all_mirrors = 10 * dull < dull + mirrors;
@@ -439,7 +444,7 @@ Acne find_acne(const Simulation& sim, const Combination& made, double least) {
       share(lacking_by_chance, controls) > max_by_chance * std::max(lack, lack_on_mirrors)) {
     return {};
   }
-  if (!is_noise(sim, picture, spots)) {
+  if (!is_noise(sim, picture, evidence)) {
     return {};
   }
   acne.unexplained = 1 - share(lacking + lacking_on_mirrors, dull + mirrors);

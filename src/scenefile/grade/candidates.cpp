@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -358,16 +359,19 @@ bool is_about_brightness(Cause cause) {
 }
 
 std::vector<std::uint16_t> same_instead(const Simulation& sim, const Combination& mistakes,
-                                        std::uint16_t member) {
-  Combination others = mistakes;
-  others.erase(std::find(others.begin(), others.end(), member));
+                                        const Combination& members) {
+  Combination others;
+  std::set_difference(mistakes.begin(), mistakes.end(), members.begin(), members.end(),
+                      std::back_inserter(others));
   const auto brightens = [&](std::uint16_t i) { return is_about_brightness(sim.list[i].cause); };
+  // A change of brightness that fits as well is not worth listing, except for a fitted number.
+  const bool may_brighten = std::any_of(members.begin(), members.end(), [&](std::uint16_t i) {
+    return brightens(i) || i >= sim.first_fitted;
+  });
   std::vector<std::uint16_t> candidates;
   for (std::uint16_t i = 0; i < sim.first_fitted; ++i) {
-    // A change of brightness that fits as well is not worth listing, except for a fitted number.
-    const bool by_chance = brightens(i) && !brightens(member) && member < sim.first_fitted;
-    if (i != member && fits(sim, others, i) && !by_chance &&
-        std::find(others.begin(), others.end(), i) == others.end()) {
+    if (std::find(mistakes.begin(), mistakes.end(), i) == mistakes.end() && fits(sim, others, i) &&
+        (may_brighten || !brightens(i))) {
       candidates.push_back(i);
     }
   }
@@ -391,6 +395,26 @@ std::vector<std::uint16_t> same_instead(const Simulation& sim, const Combination
     candidates = std::move(left);
   }
   return candidates;
+}
+
+Tried with_fewer(const Simulation& sim, const Tried& found) {
+  for (std::size_t i = 1; i < found.mistakes.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const Combination pair{found.mistakes[k], found.mistakes[i]};
+      for (const std::uint16_t one : same_instead(sim, found.mistakes, pair)) {
+        Combination fewer{one};
+        std::set_difference(found.mistakes.begin(), found.mistakes.end(), pair.begin(), pair.end(),
+                            std::back_inserter(fewer));
+        std::sort(fewer.begin(), fewer.end());
+        const std::size_t count = sim.points.size();
+        const Tried t = sim.rated(fewer, sim.score_of(fewer, count), sim.base(count));
+        if (good_enough(sim, t) && each_needed(sim, fewer)) {
+          return with_fewer(sim, t);
+        }
+      }
+    }
+  }
+  return found;
 }
 
 WrongAndRight wrong_and_right(const Simulation& sim, const Combination& mistakes) {

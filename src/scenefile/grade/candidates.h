@@ -47,10 +47,12 @@ bool hides(const Hypothesis& mistake, const Hypothesis& edit);
 /// Whether the mistake changes brightness or contrast of the whole picture, which fits many
 /// pictures by chance.
 bool is_about_brightness(Cause cause);
-/// The mistakes without fitted numbers that can replace `member` of `mistakes` without changing the
-/// picture.
+/// The mistakes without fitted numbers of which each can replace all `members` of `mistakes`
+/// without changing the picture.
 std::vector<std::uint16_t> same_instead(const Simulation& sim, const Combination& mistakes,
-                                        std::uint16_t member);
+                                        const Combination& members);
+/// The same picture by fewer mistakes, where one can replace two: these cancel in part.
+Tried with_fewer(const Simulation& sim, const Tried& found);
 /// The points where the picture with the mistakes differs from the test, and those where it does
 /// not.
 struct WrongAndRight {

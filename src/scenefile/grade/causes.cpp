@@ -21,6 +21,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <set>
 
 namespace scenefile {
@@ -253,6 +254,24 @@ bool leaves_out_unseen(const Simulation& sim, std::uint16_t i) {
          !any_differs(sim.predicted({i}, count), sim.predicted({}, count), tolerance);
 }
 
+// Whether both draw the same, also where the points are no evidence.
+bool draws_same(const Simulation& sim, const Combination& a, const Combination& b) {
+  constexpr std::size_t max_points = 400;
+  constexpr double few = 0.005;  // of the pixels
+  std::vector<std::uint32_t> pixels(std::size_t(sim.test.width) * std::size_t(sim.test.height));
+  std::iota(pixels.begin(), pixels.end(), 0);
+  std::mt19937 random(7);
+  std::vector<Point> points;
+  add_points(sim.reference, sim.test, std::move(pixels), max_points, false, false, random, points);
+  const Colors one = drawn_at(sim, a, points);
+  const Colors other = drawn_at(sim, b, points);
+  Share same;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    same.add(!any_differs({one[i]}, {other[i]}, right_within));
+  }
+  return same.value() >= 1 - few;
+}
+
 // A mistake in features that the reference does not show, if it gives the same picture as `member`
 // beside the other mistakes; otherwise nullopt.
 std::optional<std::uint16_t> features_left_out(const Simulation& sim, const Combination& mistakes,
@@ -261,7 +280,7 @@ std::optional<std::uint16_t> features_left_out(const Simulation& sim, const Comb
   if (any_differs(sim.predicted({member}, count), sim.predicted({}, count), tolerance)) {
     return std::nullopt;
   }
-  std::vector<std::uint16_t> same = same_instead(sim, mistakes, member);
+  std::vector<std::uint16_t> same = same_instead(sim, mistakes, {member});
   same.push_back(member);
   const auto found = std::find_if(same.begin(), same.end(),
                                   [&](std::uint16_t i) { return leaves_out_unseen(sim, i); });
@@ -291,12 +310,12 @@ void name_ties(const Simulation& sim, const Tried& found, const std::vector<Trie
                CauseReport& report) {
   std::set<std::uint16_t> seen_instead;
   for (std::size_t k = 0; k < found.mistakes.size(); ++k) {
-    std::vector<std::uint16_t> same = same_instead(sim, found.mistakes, found.mistakes[k]);
+    std::vector<std::uint16_t> same = same_instead(sim, found.mistakes, {found.mistakes[k]});
     std::erase_if(same, [&](std::uint16_t i) {
       Tried other = found;
       other.mistakes[k] = i;
       std::sort(other.mistakes.begin(), other.mistakes.end());
-      return !explains_blocks(sim, other);
+      return !explains_blocks(sim, other) || !draws_same(sim, found.mistakes, other.mistakes);
     });
     if (same.empty() || shows_at_edges(sim.list[found.mistakes[k]]) ||
         features_left_out(sim, found.mistakes, found.mistakes[k])) {
@@ -344,8 +363,10 @@ void name_ties(const Simulation& sim, const Tried& found, const std::vector<Trie
     report.rivals.push_back(
         {h.cause, h.what, evidence_of_share(other->explained), other->explained, true});
   }
-  report.claims.back().what +=
-      ". In place of all of these, the following give the same picture: " + all;
+  const auto last = std::find_if(found.mistakes.rbegin(), found.mistakes.rend(),
+                                 [&](std::uint16_t i) { return bool(sim.list[i].mistake); });
+  report.claims[last == found.mistakes.rend() ? 0 : std::size_t(found.mistakes.rend() - last) - 1]
+      .what += ". In place of all of these, the following give the same picture: " + all;
 }
 
 void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& others,
@@ -393,7 +414,8 @@ void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& 
     if (t.mistakes.size() == 1 && !listed && good(t) && report.rivals.size() < 3 &&
         t.score.raw <= found.score.raw + rival_margin * b.left) {
       report.rivals.push_back({h.cause, h.what, evidence_of_share(t.explained), t.explained});
-      if (t.score.raw <= tie_limit(found.score.raw, b.left)) {
+      if (t.score.raw <= tie_limit(found.score.raw, b.left) &&
+          draws_same(sim, found.mistakes, t.mistakes)) {
         report.rivals.back().said = true;
         same.push_back(h.what);
       }
@@ -636,6 +658,23 @@ bool claim_shift(Simulation& sim, const Pixels& pixels, bool all, CauseReport& r
   return true;
 }
 
+// One of the mistakes that explain nearly everything, with one that shows at edges, if these leave
+// nothing but rounding: pixels that are shifted differ a little wherever the shading is not flat.
+std::optional<Tried> one_with_edges(Simulation& sim, const std::vector<Tried>& alone) {
+  constexpr std::size_t max_tried = 3;
+  std::size_t left = max_tried;
+  for (const Tried& t : alone) {
+    if (t.mistakes.front() >= sim.first_fitted || !good(t) || !sure(t) || left-- == 0) {
+      continue;
+    }
+    Tried whole = with_edges(sim, t);
+    if (whole.mistakes != t.mistakes && leaves_only_rounding(sim, whole.mistakes)) {
+      return whole;
+    }
+  }
+  return std::nullopt;
+}
+
 // `asked`: what find_causes() was asked to look for. `likely`: set to what explains most, without
 // claims.
 void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor asked,
@@ -688,6 +727,9 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
   if (single) {
     found = completed(sim, *first);
     sim.route = found->mistakes == first->mistakes ? "single" : "single+completed";
+  } else if (look_for == LookFor::several_at_once) {
+    found = one_with_edges(sim, alone);
+    sim.route = found ? "single+edges" : "";
   }
   std::vector<Tried> several;
   const std::string route_of_single = sim.route;
@@ -726,7 +768,9 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
   }
   if (found && shows_much(sim, *found) &&
       (sure(*found) || causes_as_good(sim, *found, alone) < 3)) {
-    Tried all = *found;
+    Tried all = with_fewer(sim, *found);
+    sim.route += all.mistakes == found->mistakes ? "" : "+fewer";
+    found = all;
     if (look_for == LookFor::several_at_once) {
       all = with_smaller_mistakes(sim, pixels, std::move(all));
     }
@@ -754,9 +798,10 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
         t.mistakes.front() < sim.first_fitted && shows_much(sim, t) &&
         reproduces_its_part(sim, t)) {
       const Hypothesis& h = sim.list[t.mistakes.front()];
-      report.partial.push_back({h.cause, h.what,
-                                evidence_of_share(t.explained) + "; something else is wrong, too",
-                                t.explained});
+      report.partial.push_back(
+          {h.cause, h.what,
+           evidence_of_share(t.explained) + "; something else is wrong, too, or another form of it",
+           t.explained});
       report.asked = sim.asked(t.mistakes);
       return;
     }
@@ -1158,6 +1203,7 @@ CauseReport find_causes(const Texture& reference, const Texture& test, const Sce
     report.partial.clear();
     report.confined.clear();
   } else if (!report.partial.empty()) {
+    report.only_details = false;  // of which one mistake explains much
     report.route = "partial";
   } else if (report.notes.empty()) {
     report.route.clear();

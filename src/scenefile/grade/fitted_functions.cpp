@@ -35,6 +35,7 @@ struct Group {
   std::vector<double> knots;                      // rising
   std::function<void(Trial&, const Curve&)> set;  // replaces the function
   std::function<double(double)> written = {};     // the function in the file, of lights
+  std::string of_light = {};                      // " of light 1 (point)", if there are others
 };
 
 // The scene with mistakes that were made, too.
@@ -224,28 +225,36 @@ std::vector<Group> groups_of_lights(
     const std::function<double(const RenderLight&, const dvec3&)>& argument,
     const std::function<double(const Key&, double)>& written,
     const std::function<std::vector<double>(std::vector<double>)>& knots) {
-  std::vector<std::pair<Key, std::vector<double>>> arguments;
-  for (const RenderLight& light : made.trial.scene.lights) {
-    if (!has_function(light.type)) {
+  struct OfKey {
+    Key key;
+    std::string first_light;
+    std::vector<double> arguments;
+  };
+  std::vector<OfKey> keys;
+  const std::vector<RenderLight>& lights = made.trial.scene.lights;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    if (!has_function(lights[i].type)) {
       continue;
     }
-    const Key key = key_of(light);
-    auto of_key = std::find_if(arguments.begin(), arguments.end(),
-                               [&](const auto& one) { return one.first == key; });
-    if (of_key == arguments.end()) {
-      of_key = arguments.insert(of_key, {key, {}});
+    const Key key = key_of(lights[i]);
+    auto of_key =
+        std::find_if(keys.begin(), keys.end(), [&](const OfKey& one) { return one.key == key; });
+    if (of_key == keys.end()) {
+      of_key = keys.insert(of_key,
+                           {key, fmt::format("light {} ({})", i + 1, word_of(lights[i].type)), {}});
     }
     for (const dvec3& p : made.places) {
-      of_key->second.push_back(argument(light, p));
+      of_key->arguments.push_back(argument(lights[i], p));
     }
   }
   std::vector<Group> groups;
-  for (auto& [key, values] : arguments) {
-    groups.push_back({knots(std::move(values)),
-                      [=, key = key](Trial& t, const Curve& curve) {
+  for (OfKey& one : keys) {
+    groups.push_back({knots(std::move(one.arguments)),
+                      [=, key = one.key](Trial& t, const Curve& curve) {
                         (t.mistakes.*member).emplace_back(key, curve);
                       },
-                      [=, key = key](double x) { return written(key, x); }});
+                      [=, key = one.key](double x) { return written(key, x); },
+                      keys.size() > 1 ? " of " + one.first_light : std::string()});
   }
   return groups;
 }
@@ -265,16 +274,16 @@ std::vector<Group> groups_of_fading(const Made& made) {
       });
 }
 
-std::string words_of_fading(const Curve& c) {
+std::string words_of_fading(const Curve& c, const std::string& of_light) {
   const double near = c.knots[c.knots.size() / 4];
   const double far = c.knots[3 * c.knots.size() / 4];
   if (c.at(far) > c.at(near)) {
     return {};  // no program makes distant lights brighter
   }
   return fmt::format(
-      "lights fade with distance in another way than the file says: the factor is {:.2g} at a "
+      "lights fade with distance in another way than the file says: the factor{} is {:.2g} at a "
       "distance of {:.2g}, and {:.2g} at {:.2g}",
-      c.at(near), near, std::max(0.0, c.at(far)), far);  // not -0.0001
+      of_light, c.at(near), near, std::max(0.0, c.at(far)), far);  // not -0.0001
 }
 
 std::vector<Group> groups_of_cones(const Made& made) {
@@ -298,16 +307,16 @@ std::vector<Group> groups_of_cones(const Made& made) {
       });
 }
 
-std::string words_of_cones(const Curve& c) {
+std::string words_of_cones(const Curve& c, const std::string& of_light) {
   const double most = *std::max_element(c.values.begin(), c.values.end());
   double half = 0;
   for (std::size_t k = 0; k < c.knots.size(); ++k) {
     half = c.values[k] >= most / 2 ? c.knots[k] : half;
   }
   return fmt::format(
-      "spotlights fall off with the angle in another way than the file says: half of their light "
+      "spotlights fall off with the angle in another way than the file says: half of the light{} "
       "is left at about {:.0f} degrees from the axis",
-      half * 180 / std::numbers::pi);
+      of_light, half * 180 / std::numbers::pi);
 }
 
 std::vector<Group> group_of_diffuse(const Made& made) {
@@ -399,8 +408,8 @@ std::vector<Group> groups_of(const Made& made, Term term) {
   return {};
 }
 
-// The function that differs most from the one in the file.
-const Curve& most_different(const FittedTerm& fit) {
+// The group whose function differs most from the one in the file.
+std::size_t most_different(const FittedTerm& fit) {
   std::size_t most = 0;
   double largest = 0;
   for (std::size_t g = 0; g < fit.groups.size(); ++g) {
@@ -415,18 +424,22 @@ const Curve& most_different(const FittedTerm& fit) {
       most = g;
     }
   }
-  return fit.curves[most];
+  return most;
 }
 
 // Says what the functions are; empty if they are not plausible.
 std::string words_of(const Made& made, Term term, const FittedTerm& fit) {
+  const auto words_of_lights = [&](auto words) {
+    const std::size_t most = most_different(fit);
+    return words(fit.curves[most], fit.groups[most].of_light);
+  };
   switch (term) {
     case Term::fading:
-      return words_of_fading(most_different(fit));
+      return words_of_lights(words_of_fading);
     case Term::highlights:
       return words_of_highlights(made, fit.curves);
     case Term::cones:
-      return words_of_cones(most_different(fit));
+      return words_of_lights(words_of_cones);
     case Term::diffuse:
       return words_of_diffuse(fit.curves.front());
   }

@@ -642,16 +642,20 @@ bool show_exponents(const Simulation& sim, const Exponent& file, std::size_t cou
 
 // The exponent that leaves the least difference.
 Exponent fitted_exponent(const Simulation& sim, const Exponent& file, std::size_t count) {
+  constexpr double largest = 16;  // factor: highlights of larger exponents nearly vanish
   Exponent best = file;
   double least = infinity;
   const auto try_exponent = [&](double number) {
+    if (number > largest * file.number || number < file.number / largest) {
+      return;
+    }
     const Exponent e{file.times, number};
     if (const double left = left_of_changes(sim, drawn_with(sim, e, count)); left < least) {
       least = left;
       best = e;
     }
   };
-  for (double times = 1.0 / 16; times <= 16; times *= 2) {
+  for (double times = 1 / largest; times <= largest; times *= 2) {
     try_exponent(file.number * times);
   }
   for (const double step : {0.4, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005}) {

@@ -4,6 +4,7 @@
 #include "scenefile/grade/edited_scene.h"
 
 #include <algorithm>
+#include <array>
 
 namespace scenefile {
 
@@ -25,6 +26,31 @@ std::vector<Point> some_of(const std::vector<Point>& points, std::size_t count) 
   return some;
 }
 
+// Removes the points whose colors change if the lights move a little: where a light lies in the
+// plane of a face, rounding decides whether it lights the face.
+void drop_unstable(const Simulation& sim, const Combination& mistakes, std::vector<Point>& points) {
+  constexpr float step = 1e-4F;  // of the distance from the origin, at least of 1
+  std::array<Colors, 3> drawn;
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
+    Trial trial = sim.trial_of(mistakes);
+    for (RenderLight& light : trial.scene.lights) {
+      const float way = step * float(int(k) - 1);
+      light.position += way * std::max(1.0F, glm::length(light.position));
+      light.direction = glm::normalize(light.direction + way);
+    }
+    drawn[k] = sim.finished(mistakes, sim.draw(trial, *sim.shapes_of(mistakes, trial), points,
+                                               points.size(), sim.turn_of(mistakes), nullptr));
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!any_differs({drawn[0][i]}, {drawn[1][i]}, tolerance) &&
+        !any_differs({drawn[2][i]}, {drawn[1][i]}, tolerance)) {
+      points[kept++] = points[i];
+    }
+  }
+  points.resize(kept);
+}
+
 // Replaces the points by those that the mistakes do not explain, with one of the others after each.
 // Returns the number of points that are not explained.
 std::size_t look_at_rest(Simulation& sim, const Pixels& pixels, const Combination& mistakes) {
@@ -35,7 +61,8 @@ std::size_t look_at_rest(Simulation& sim, const Pixels& pixels, const Combinatio
   add_points(sim.reference, sim.test, pixels.same, max_same, false, false, random, sim.points,
              sim.noise());
   sim.prepare_clean();
-  const auto [rest, explained] = wrong_and_right(sim, mistakes);
+  auto [rest, explained] = wrong_and_right(sim, mistakes);
+  drop_unstable(sim, mistakes, rest);
   sim.points = alternating(some_of(rest, max_rest), some_of(explained, max_explained));
   sim.prepare_clean();
   return rest.size();

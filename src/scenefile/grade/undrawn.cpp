@@ -103,7 +103,7 @@ bool find_empty_color(const std::vector<std::uint32_t>& different, Undrawn& u) {
     u.empty = votes == 0 ? color : u.empty;
     votes += color == u.empty ? 1 : -1;
   }
-  if (static_cast<double>(u.count) < min_undrawn_share * static_cast<double>(u.differs.size())) {
+  if (u.count < min_at_cut) {
     return false;
   }
   const auto most = std::count_if(different.begin(), different.end(),
@@ -353,8 +353,12 @@ std::optional<Claim> claim_of_undrawn_part(const Texture& reference, const Textu
   }
   std::string what = missing_lines(u, true);
   what = what.empty() ? missing_lines(u, false) : what;
-  what = what.empty() ? missing_box(u) : what;
-  what = what.empty() ? missing_grid(u) : what;
+  // A single line is exact; a small rectangle may be an object.
+  if (what.empty() &&
+      static_cast<double>(u.count) >= min_undrawn_share * static_cast<double>(u.differs.size())) {
+    what = missing_box(u);
+    what = what.empty() ? missing_grid(u) : what;
+  }
   if (what.empty()) {
     return std::nullopt;
   }

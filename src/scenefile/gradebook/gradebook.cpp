@@ -32,6 +32,11 @@ std::string reasons_text(const PictureResult& picture) {
   return text;
 }
 
+// The columns of a terminal that fmt counts for the text when it pads; at most its bytes.
+std::size_t columns_of(const std::string& text) {
+  return 2 * text.size() - fmt::formatted_size("{:<{}}", text, text.size());
+}
+
 }  // namespace
 
 std::string_view name_of(Verdict verdict) {
@@ -198,7 +203,7 @@ std::string gradebook_text(const Gradebook& book) {
   constexpr std::size_t max_line = 4096;  // bytes
   std::size_t width = 0;
   for (const StudentResult& student : book.students) {
-    width = std::max(width, escaped(student.name).size());
+    width = std::max(width, columns_of(escaped(student.name)));
   }
   std::string text;
   for (const StudentResult& student : book.students) {

@@ -120,10 +120,11 @@ if (table) {
     body.append(...(down ? rows.reverse() : rows));
   }));
   const [name, cause, state, shown] = ['#name', '#cause', '#state', '#shown'].map(id => one(id));
+  const plain = name => name.normalize().toLowerCase(); // macOS decomposes letters with accents
   const filter = () => {
     for (const row of body.rows) {
       const passed = !one('.differs, .missing, .unreadable', row);
-      row.hidden = !text(row.cells[0]).toLowerCase().includes(name.value.toLowerCase()) ||
+      row.hidden = !plain(text(row.cells[0])).includes(plain(name.value)) ||
         (cause.value && !row.dataset.causes.split(' ').includes(cause.value)) ||
         (state.value && (state.value === 'passed') !== passed);
     }

@@ -156,6 +156,7 @@ class Opener {
     file_.accessors = root["accessors"].elements();
     file_.materials = root["materials"].elements();
     file_.textures = root["textures"].elements();
+    file_.samplers = root["samplers"].elements();
     file_.images = root["images"].elements();
     file_.meshes = root["meshes"].elements();
     file_.nodes = root["nodes"].elements();

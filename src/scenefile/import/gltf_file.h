@@ -28,6 +28,7 @@ struct GltfFile {
   std::vector<JsonValue> accessors;
   std::vector<JsonValue> materials;
   std::vector<JsonValue> textures;
+  std::vector<JsonValue> samplers;
   std::vector<JsonValue> images;
   std::vector<JsonValue> meshes;
   std::vector<JsonValue> nodes;

@@ -107,6 +107,12 @@ float linear_of_srgb(float value) {
   return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
 }
 
+bool repeats(const JsonValue& sampler) {
+  constexpr std::uint64_t repeat = 10497;
+  return sampler["wrapS"].whole().value_or(repeat) == repeat &&
+         sampler["wrapT"].whole().value_or(repeat) == repeat;
+}
+
 glm::mat3x2 uv_map_of(const JsonValue& transform) {
   const auto offset = transform["offset"].numbers(2).value_or(std::vector<double>{0, 0});
   const auto scale = transform["scale"].numbers(2).value_or(std::vector<double>{1, 1});
@@ -203,6 +209,10 @@ void GltfMaterials::add_texture(const JsonValue& info, const glm::vec3& factor,
   result.material.texture = TextureUse{name, 1, 1, {}};
   result.material.blend = 1;
   result.material.diffuse = glm::vec3(1);
+  if (const std::uint64_t sampler = file_.textures[index]["sampler"].whole().value_or(no_item);
+      sampler < file_.samplers.size()) {
+    result.repeats = repeats(file_.samplers[sampler]);
+  }
   const JsonValue transform = info["extensions"]["KHR_texture_transform"];
   result.uv_map = uv_map_of(transform);
   const JsonValue set = transform["texCoord"] ? transform["texCoord"] : info["texCoord"];

@@ -19,6 +19,7 @@ struct GltfMaterial {
   Material material;
   std::uint32_t uv_set = 0;
   glm::mat3x2 uv_map{1, 0, 0, 1, 0, 0};  ///< columns: images of u and v, offset; v points down
+  bool repeats = true;  ///< the texture repeats outside of 0 to 1; otherwise it has no equivalent
 };
 
 class GltfMaterials {

@@ -35,6 +35,7 @@ constexpr std::uint64_t bytes_of_triangle = 100;
 struct MeshFile {
   std::string name;
   Bounds box;
+  bool repeats = false;  // uvs leave the range 0 to 1
 };
 
 // Identifies a mesh file: accessors, mode, and the material's uv transform.
@@ -55,6 +56,10 @@ class GltfReader {
       report_left_out();
       result_.scene.global = {1, 1, 1, 1.0f, {}};
       add_nodes();
+      if (is_orthographic_) {
+        diagnostics_.report("import.left-out"_code, {},
+                            "the orthographic camera becomes a perspective camera of 45 degrees");
+      }
       complete_scene(result_.scene, box_, diagnostics_);
     }
     return std::move(result_);
@@ -246,6 +251,9 @@ class GltfReader {
       if (file.name.empty()) {
         continue;
       }
+      if (file.repeats && !material.repeats) {
+        leave_out("wrap modes of textures other than repeat");
+      }
       Primitive primitive;
       primitive.shape = Shape::mesh;
       primitive.mesh_file = file.name;
@@ -328,6 +336,10 @@ class GltfReader {
     for (const glm::vec3& p : list.positions) {
       file.box = unite(file.box, glm::dvec3(p));
     }
+    file.repeats = std::any_of(list.uvs.begin(), list.uvs.end(), [](const glm::vec2& uv) {
+      constexpr float rounding = 1e-4f;
+      return glm::any(glm::greaterThan(glm::abs(uv - 0.5f), glm::vec2(0.5f + rounding)));
+    });
     file.name = fmt::format("{}-{}.obj", options_.stem, result_.files.size() + 1);
     result_.files.push_back({file.name, obj_text(list)});
     return file;
@@ -423,11 +435,15 @@ class GltfReader {
     if (camera == no_item) {
       return;
     }
-    if (result_.scene.camera) {
-      leave_out("cameras after the first");
-      return;
-    }
     const JsonValue perspective = file_.cameras[camera]["perspective"];
+    if (result_.scene.camera) {
+      leave_out(is_orthographic_ == !perspective ? "cameras after the first"
+                                                 : "orthographic cameras");
+      if (!is_orthographic_ || !perspective) {
+        return;
+      }
+    }
+    is_orthographic_ = !perspective;
     double angle = pi / 4;
     if (perspective) {
       angle = perspective["yfov"].number().value_or(0);
@@ -435,9 +451,6 @@ class GltfReader {
         fail(fmt::format("cameras[{}].perspective.yfov is an angle below pi", camera));
         return;
       }
-    } else {
-      diagnostics_.report("import.left-out"_code, {},
-                          "the orthographic camera becomes a perspective camera of 45 degrees");
     }
     Camera& c = result_.scene.camera.emplace();
     c.position = glm::vec3(world.offset);
@@ -517,6 +530,7 @@ class GltfReader {
   std::uint64_t triangles_left_;
   std::uint64_t bytes_left_;
   bool failed_ = false;
+  bool is_orthographic_ = false;  // the camera of the scene
   std::vector<NodeLinks> links_;
   std::vector<std::uint32_t> roots_;
   std::map<MeshKey, MeshFile> mesh_files_;

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -50,6 +51,11 @@ glm::vec3 ambient_of(const MtlMaterial& mtl, const glm::vec3& diffuse) {
   return (ambient == glm::vec3(1) ? 0.1f * diffuse : ambient) + emission_of(mtl);
 }
 
+// Illumination models of glass: 6, 7 and 9.
+bool refracts(int illum) {
+  return illum == 6 || illum == 7 || illum == 9;
+}
+
 // With the defaults of the format.
 Material phong_material(const MtlMaterial& mtl) {
   constexpr float most = 1e6f;
@@ -60,7 +66,10 @@ Material phong_material(const MtlMaterial& mtl) {
   const int illum = mtl.illum.value_or(2);
   const bool mirror = illum >= 3 && illum <= 7 && illum != 4;
   Material m;
-  m.diffuse = color(mtl.diffuse, 1);
+  // Glass with a color but without d lets everything through.
+  const float opacity = mtl.opacity.value_or(refracts(illum) && mtl.transmission ? 0 : 1);
+  // Glass adds what it lets through; other surfaces let through what they do not cover.
+  m.diffuse = (refracts(illum) ? 1 : opacity) * color(mtl.diffuse, 1);
   m.ambient = glm::min(ambient_of(mtl, m.diffuse), glm::vec3(most));
   if (illum >= 2 && mtl.shininess.value_or(0) > 0) {
     m.specular = specular;
@@ -69,7 +78,7 @@ Material phong_material(const MtlMaterial& mtl) {
   if (mirror) {
     m.reflective = specular;
   }
-  if (const float opacity = mtl.opacity.value_or(1); opacity < 1) {
+  if (opacity < 1) {
     m.transparent = (1 - opacity) * color(mtl.transmission, 1);
     const float ior = std::clamp(mtl.ior.value_or(1), 0.1f, 10.0f);
     m.ior = ior == 1 ? 0 : ior;
@@ -113,8 +122,8 @@ class ObjSceneReader {
     if (emits_) {
       report_emission(diagnostics_);
     }
-    if (has_emission_map_) {
-      diagnostics_.report("import.left-out"_code, {}, "pictures of emission are left out");
+    for (const std::string_view what : left_out_) {
+      diagnostics_.report("import.left-out"_code, {}, fmt::format("{} are left out", what));
     }
     if (!diagnostics_.has_errors()) {
       complete_scene(result_.scene, box_, diagnostics_);
@@ -217,13 +226,26 @@ class ObjSceneReader {
     }
     Material material = phong_material(found->second);
     emits_ = emits_ || largest(emission_of(found->second)) > 0;
-    has_emission_map_ = has_emission_map_ || has_emission_map(found->second);
+    note_left_out(found->second);
     const std::string picture = this->picture(found->second.diffuse_map.name, material.diffuse);
     if (!picture.empty()) {
       material.texture = TextureUse{picture, 1, 1, {}};
       material.blend = 1;
     }
     return material;
+  }
+
+  void note_left_out(const MtlMaterial& mtl) {
+    const std::pair<std::string_view, bool> maps[] = {
+        {"pictures of emission", has_emission_map(mtl)},
+        {"pictures of highlights", !mtl.specular_map.name.empty()},
+        {"masks by alpha", mtl.has_alpha_map},
+        {"bump and normal maps", mtl.has_bump_map}};
+    for (const auto& [what, used] : maps) {
+      if (used) {
+        left_out_.insert(what);
+      }
+    }
   }
 
   // The picture multiplied by the diffuse color, as a file of the scene; empty if there is none.
@@ -264,7 +286,7 @@ class ObjSceneReader {
   std::vector<Faces> faces_;
   bool has_libraries_ = false;
   bool emits_ = false;  // a material that is used
-  bool has_emission_map_ = false;
+  std::set<std::string_view> left_out_;
   std::map<std::string, MtlMaterial, std::less<>> materials_;
   std::map<std::tuple<std::string, float, float, float>, std::string> pictures_;
   std::uint64_t texture_budget_;

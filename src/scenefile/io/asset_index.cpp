@@ -1,5 +1,6 @@
 #include "scenefile/io/asset_index.h"
 
+#include "scenefile/base/ascii.h"
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/asset_name.h"
@@ -78,7 +79,9 @@ AssetIndex::AssetIndex(const std::vector<std::string>& roots, std::size_t max_en
 }
 
 std::vector<std::string> AssetIndex::find_similar(std::string_view base_name) const {
-  const std::string wanted = lower_case(base_name);
+  // Blanks at the end would belong to the extension.
+  const std::string wanted =
+      lower_case(base_name.substr(0, base_name.find_last_not_of(blanks) + 1));
   const std::string_view extension = extension_of(wanted);
   std::vector<std::string_view> stems;
   for (const auto& [name, paths] : by_lower_name_) {

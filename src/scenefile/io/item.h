@@ -26,7 +26,8 @@ struct KeyDifference {
   std::string found;
   std::string wanted;
 };
-/// All differences, in the order of `wanted`, followed by the values that only `found` has.
+/// All differences, in the order of `wanted`, followed by the values that only `found` has. Empty
+/// only if the keys are equal: of others with the same values, `key` differs.
 std::vector<KeyDifference> compare_keys(std::string_view found, std::string_view wanted);
 
 enum class ItemState : std::uint8_t {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace scenefile {
 
@@ -97,7 +98,8 @@ RenderStatus explain_path(const RenderScene& scene, const Assets& assets,
   name_objects(paths, pixel);
   const Image image = image_of(state);
   std::copy(image.rgb.begin(), image.rgb.end(), pixel.picture.begin());
-  pixel.standard_error = std::sqrt(variances_of(state).front());
+  pixel.standard_error = state.counts.front() > 1 ? std::sqrt(variances_of(state).front())
+                                                  : std::numeric_limits<double>::infinity();
   return paths.tracer.status();
 }
 

@@ -32,7 +32,9 @@ struct PathPixel {
   /// light through, if any light is missing.
   std::vector<std::optional<ObjectRef>> occluders;
   std::array<float, 3> picture{};  ///< linear, as stored in the image by render_path()
-  double standard_error = 0;  ///< standard error of its luminance, assuming independent samples
+  /// Of its luminance, assuming independent samples; infinite with one sample, whose noise is
+  /// unknown.
+  double standard_error = 0;
 };
 
 /// Takes the samples of pixel (x, y) as render_path() does. `sample` selects the sample to describe

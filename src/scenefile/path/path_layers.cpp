@@ -74,14 +74,16 @@ glm::dvec3 layer_value(const Layer& layer, const PathRecord& path) {
 }
 
 void add_guides(const PathRecord& path, PathGuides& guides) {
-  guides.squares += path.light * path.light;
   if (path.vertices.empty()) {
     return;
   }
+  const Color emission = path.vertices.front().emission;
+  const Color reflected = path.light - emission;
   const PathPoint& first = path.vertices.front().point;
   const Bsdf& bsdf = first.bsdf;
-  const Color albedo =
-      bsdf.diffuse + bsdf.glossy + bsdf.mirror + bsdf.glass + glm::min(first.emission, Color(1));
+  const Color albedo = bsdf.diffuse + bsdf.glossy + bsdf.mirror + bsdf.glass;
+  guides.emission += emission;
+  guides.squares += reflected * reflected;
   guides.normal += first.facing.normal;
   guides.albedo += albedo;
   guides.albedo_squares += glm::dot(albedo, albedo);
@@ -94,12 +96,14 @@ double variance_of_mean(double squares, double square_of_sum, double n) {
 
 PixelStatistics statistics_of(const PathState& state, std::size_t at) {
   const double n = std::max(1u, state.counts[at]);
-  const glm::dvec3 sum = state.sums[at];
   const PathGuides& guides = state.guides[at];
+  const glm::dvec3 sum = state.sums[at] - guides.emission;
   PixelStatistics pixel;
   // Without its texture, light varies slowly. Black surfaces may be seen beside others.
   const glm::dvec3 scale = glm::max(guides.albedo / n, 1e-3);
   pixel.scale = scale;
+  // A lamp in view is only noisy at its edges, where pixels around do not tell how much is covered.
+  pixel.rest = guides.emission / n;
   pixel.signal = glm::min(sum / n / scale, 1e15);
   for (int c = 0; c < 3; ++c) {
     const double variance = variance_of_mean(guides.squares[c], sum[c] * sum[c], n);

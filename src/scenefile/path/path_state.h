@@ -16,9 +16,10 @@ namespace scenefile {
 
 /// Sums over the samples of a pixel, for denoising.
 struct PathGuides {
-  glm::dvec3 squares{0};  ///< of the samples
-  glm::dvec3 normal{0};   ///< of the first surface
-  glm::dvec3 albedo{0};   ///< all that it reflects, and up to 1 of what it emits
+  glm::dvec3 emission{0};  ///< of the first surface toward the eye
+  glm::dvec3 squares{0};   ///< of the samples without that emission
+  glm::dvec3 normal{0};    ///< of the first surface
+  glm::dvec3 albedo{0};    ///< all that it reflects
   double albedo_squares = 0;
 };
 

@@ -1,7 +1,9 @@
 #include "scenefile/placement/check_view.h"
 
+#include "scenefile/base/components.h"
 #include "scenefile/base/number.h"
 #include "scenefile/base/shape_traits.h"
+#include "scenefile/base/text.h"
 #include "scenefile/placement/codes.h"
 #include "scenefile/placement/scene_search.h"
 
@@ -10,12 +12,14 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <vector>
 
 namespace scenefile {
 
 namespace {
 
 constexpr glm::vec3 black(0);
+constexpr float rounding = 1e-4f;
 constexpr std::string_view nothing_lit = "none of the lights reaches anything visible";
 
 class ViewCheck {
@@ -26,7 +30,14 @@ class ViewCheck {
         assets_(assets),
         question_(question),
         diagnostics_(diagnostics),
-        search_(scene, assets) {}
+        search_(scene, assets),
+        without_uvs_(assets.meshes.size()) {
+    for (const MeshMaterials& mesh : assets.mesh_materials) {
+      const std::vector<std::uint32_t>& faces = mesh.of_triangle;
+      shows_object_.push_back(faces.empty() ||
+                              std::find(faces.begin(), faces.end(), mesh_no_index) != faces.end());
+    }
+  }
 
   void check_camera() {
     search_.enclosing(scene_.camera.position, scene_.camera.position, [&](const Enclosure& e) {
@@ -56,7 +67,73 @@ class ViewCheck {
     }
   }
 
+  void check_materials() {
+    const RenderPrimitive* brightest = nullptr;
+    float most = 1 + rounding;
+    for (const RenderGroup& group : scene_.groups) {
+      for (const RenderPrimitive& primitive : group.primitives) {
+        check_uvs(primitive);
+        const float returned = largest(returned_light(scene_.materials[primitive.material]));
+        if (question_.paths && returned > most && shows_its_material(primitive)) {
+          brightest = &primitive;
+          most = returned;
+        }
+      }
+    }
+    if (brightest != nullptr) {
+      diagnostics_.report(
+          "material.energy"_code, question_.place_of(brightest->source),
+          fmt::format("diffuse, specular, reflective and transparent of the {}, each times its "
+                      "coefficient, add up to {} in a channel: it returns more light than it "
+                      "receives",
+                      word_of(brightest->shape), number_text(most)));
+    }
+  }
+
  private:
+  bool shows_its_material(const RenderPrimitive& primitive) const {
+    return primitive.mesh >= shows_object_.size() || shows_object_[primitive.mesh];
+  }
+
+  // Summed like the path tracer does. A texture makes a color darker by an unknown amount.
+  glm::vec3 returned_light(const RenderMaterial& m) const {
+    const RenderGlobal& global = scene_.global;
+    const auto positive = [](const glm::vec3& color) { return glm::max(color, black); };
+    return (m.texture.used() ? 1 - m.blend : 1) * positive(global.diffuse * m.diffuse) +
+           (m.shininess > 0 ? positive(global.specular * m.specular) : black) +
+           positive(global.specular * m.reflective) +
+           positive(global.transparent.value_or(0.5f) * m.transparent);
+  }
+
+  void check_uvs(const RenderPrimitive& primitive) {
+    const std::uint32_t index = primitive.mesh;
+    if (index >= assets_.meshes.size() || without_uvs_[index]) {
+      return;
+    }
+    const Mesh& mesh = assets_.meshes[index];
+    const RenderMaterial& own = scene_.materials[primitive.material];
+    const bool textured = (own.texture.used() && own.blend > 0 && shows_its_material(primitive)) ||
+                          faces_have_maps(index);
+    if (textured && !mesh.triangles.empty() && mesh.triangle_uvs.empty()) {
+      without_uvs_[index] = true;
+      diagnostics_.report("material.texture-without-uvs"_code, question_.place_of(primitive.source),
+                          fmt::format("the mesh {} has no texture coordinates (vt), so its texture "
+                                      "shows a single color",
+                                      quoted(scene_.mesh_files[index].name)));
+    }
+  }
+
+  bool faces_have_maps(std::uint32_t mesh) const {
+    const auto has_map = [](const FaceMaterial& m) {
+      return m.diffuse_map != no_map || m.specular_map != no_map || m.emission_map != no_map;
+    };
+    if (mesh >= assets_.mesh_materials.size()) {
+      return false;
+    }
+    const std::vector<FaceMaterial>& faces = assets_.mesh_materials[mesh].materials;
+    return std::any_of(faces.begin(), faces.end(), has_map);
+  }
+
   // For example "the sphere of line 12".
   std::string text_of(const RenderPrimitive& primitive) const {
     const std::string_view name = word_of(primitive.shape);
@@ -135,6 +212,8 @@ class ViewCheck {
   const ViewQuestion& question_;
   Diagnostics& diagnostics_;
   SceneSearch search_;
+  std::vector<bool> shows_object_;  // by mesh: a triangle has no face material
+  std::vector<bool> without_uvs_;   // by mesh: reported
 };
 
 }  // namespace
@@ -149,6 +228,7 @@ void check_view(const RenderScene& scene, const Assets& assets, const ViewQuesti
   ViewCheck check(scene, assets, question, diagnostics);
   check.check_camera();
   check.check_lights();
+  check.check_materials();
 }
 
 }  // namespace scenefile

@@ -18,6 +18,17 @@ inline constexpr Code placement_codes[] = {
     {"light.misses", Severity::warning, "a light that points past everything",
      "No object is in the cone of the spotlight, or on the side to which the area light shines. "
      "direction is the direction in which the light travels."},
+    {"material.energy", Severity::warning, "a material returns more light than it receives",
+     "Reported for mode path, where surfaces light each other: diffuse, specular, reflective and "
+     "transparent, each times its coefficient, are added, and where their sum is above 1 in a "
+     "channel each bounce adds energy. The picture is too bright, and between such surfaces its "
+     "light has no limit. It is drawn as written. Scale the colors down so that their sum is at "
+     "most 1."},
+    {"material.texture-without-uvs", Severity::warning,
+     "a texture on a mesh without texture coordinates",
+     "A texture is placed by the texture coordinates of the mesh: lines vt in the OBJ file, and "
+     "faces whose corners are written v/vt or v/vt/vn. Without any, every point has the color of "
+     "the lower left corner of the image. Export the mesh with its UVs."},
     {"scene.unlit", Severity::warning, "lights, but nothing is lit",
      "The picture shows ambient light only: the lights are inside objects or shine past "
      "everything, or the coefficients and colors leave neither a diffuse nor a specular part."},

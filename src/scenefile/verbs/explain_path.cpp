@@ -46,8 +46,10 @@ class PathText {
                                 escaped(shown_name(loaded_.path)), pixel_.x, pixel_.y,
                                 pixel_.options.width, pixel_.options.height));
     const auto& [red, green, blue] = pixel_.picture;
-    top.add(fmt::format("{} {}, the mean of the samples before tone mapping; standard error {:.2g}",
-                        bold("color"), color({red, green, blue}), pixel_.standard_error));
+    const double error = pixel_.standard_error;
+    top.add(fmt::format("{} {}, the mean of the samples before tone mapping; standard error {}",
+                        bold("color"), color({red, green, blue}),
+                        std::isfinite(error) ? fmt::format("{:.2g}", error) : "unknown"));
     if (around) {
       add_around(top, *around);
     }

@@ -51,7 +51,7 @@ std::string thumbnail(const Texture& reference, const Texture& picture, const Te
 }
 
 // If no thresholds were given, the kind of difference decides: pictures with known mistakes fail at
-// any PSNR, and pictures that differ only at edges or by rounding pass.
+// any PSNR, and pictures pass that only differ in ways that are not mistakes.
 void follow_causes(const PictureComparison& compared, PictureResult& result) {
   const CauseReport& report = compared.causes;
   const bool mistake = std::any_of(report.claims.begin(), report.claims.end(),

@@ -22,7 +22,7 @@ struct GradeRequest {
   std::string references;  ///< a folder with the correct pictures
   std::string scenes;      ///< a folder with their scenes; empty: look in `references`
   /// Without thresholds, the kind of difference decides: pictures with known mistakes fail at any
-  /// PSNR, pictures that differ only at edges or by rounding pass, others pass with 40 dB or more.
+  /// PSNR, pictures that only differ in ways that are not mistakes pass, others with 40 dB or more.
   CompareSettings compare;
   std::string layer{};          ///< of EXR files with layers
   bool thumbnails = false;      ///< create PictureResult::png

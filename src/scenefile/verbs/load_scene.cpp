@@ -121,7 +121,9 @@ LoadDepth depth_for(const RenderOptions& options) {
 
 void check_picture(LoadedScene& scene) {
   if (scene.usable()) {
-    ask(scene, {});
+    ViewQuestion question;
+    question.paths = lit_by_faces_only(scene);
+    ask(scene, question);
   }
 }
 
@@ -133,6 +135,7 @@ void check_picture(LoadedScene& scene, const RenderOptions& options) {
   question.aspect = static_cast<double>(options.width) / options.height;
   question.shadows =
       options.mode == Mode::path || (options.mode == Mode::ray && options.features.shadows);
+  question.paths = options.mode == Mode::path;
   ask(scene, question);
   if (lit_by_faces_only(scene) && (options.mode == Mode::ray || options.mode == Mode::intersect)) {
     scene.diagnostics.report(

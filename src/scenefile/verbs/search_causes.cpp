@@ -197,7 +197,7 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
   found.other_outlines = explains_nothing(found.causes) && found.causes.partial.empty() &&
                          have_other_outlines(reference, test);
   if (settings.lossy && nothing_found() && found.causes.partial.empty() &&
-      differ_by_compression(reference, test)) {
+      (found.causes.only_details || differ_by_compression(reference, test))) {
     found.causes.notes.push_back(
         {Cause::samples, "the colors are as inexact as those of JPEGs", {}, 1});
     found.causes.route = "jpeg-note";

@@ -100,7 +100,7 @@ struct ActionRow {
   std::string_view what;   ///< a few words
   void (*act)(Session&);
   /// Why it has no effect now; empty: it has one.
-  std::string_view (*refusal)(const Session&);
+  std::string (*refusal)(const Session&);
   bool (*is_on)(const Session&);  ///< whether the menu marks it
 };
 

@@ -70,6 +70,11 @@ void set_text(Session& session, std::string text) {
   load_edited_text(session);
 }
 
+// Whether there is a text, which may be empty.
+bool was_read(const Editing& editing) {
+  return editing.version != editing.first_version;
+}
+
 // The file has these contents now.
 void note_saved(Editing& editing, std::string text) {
   editing.saved = std::move(text);
@@ -257,8 +262,9 @@ void forget_edits(Session& session) {
 void start_editing(Session& session, std::string text) {
   Editing& editing = session.editing;
   finish_edit(session);
-  if (editing.text != text) {
-    if (!editing.text.empty()) {
+  const bool read_before = was_read(editing);
+  if (editing.text != text || !read_before) {
+    if (read_before) {
       const Edit edit = change_to(editing.text, text);
       editing.done.push_back({edit, inverse(editing.text, edit), editing.part, {}});
       editing.undone.clear();
@@ -275,6 +281,18 @@ bool has_unsaved_edits(const Session& session) {
   const Editing& editing = session.editing;
   return editing.new_file || editing.progress ||
          (!(editing.done.empty() && editing.undone.empty()) && editing.differs);
+}
+
+bool shows_edited_scene(const Session& session) {
+  return session.shown != nullptr && (session.shown->opened.path == session.path ||
+                                      session.shown->text_version >= session.editing.first_version);
+}
+
+std::string refusal_to_edit(const Session& session) {
+  return session.shown == nullptr || shows_edited_scene(session)
+             ? session.editing.refusal
+             : fmt::format("the picture still shows {}, not {}", shown_name(session),
+                           scene_name(session));
 }
 
 bool shows_edited_text(const Session& session) {
@@ -392,6 +410,7 @@ void make_edit(Session& session, const Result<Edit>& edit) {
   } else if (!edit->changes.empty()) {
     session.editing.done.push_back(made(session, *edit));
     session.editing.undone.clear();
+    session.notice.reset();  // about an earlier edit
   }
 }
 
@@ -414,6 +433,7 @@ void continue_edit(Session& session, const Result<Edit>& edit) {
     say(session, edit.error().text, true);
     return;
   }
+  session.notice.reset();  // about an earlier edit
   if (*edit == editing.progress->edit) {
     return;
   }
@@ -503,7 +523,7 @@ void save_scene(Session& session) {
     ask_where_to_save(session, session.path == "-" ? "scene.xml" : session.path);
     return;
   }
-  if (!has_unsaved_edits(session)) {
+  if (!has_unsaved_edits(session) && stamp_of(session.path).exists) {
     say(session, scene_name(session) + " has no unsaved edits");
     return;
   }
@@ -531,15 +551,18 @@ void before_losing_edits(Session& session, std::function<void(Session&)> then) {
   finish_edit(session);
   const Editing& editing = session.editing;
   const bool untouched = editing.new_file && editing.done.empty() && editing.undone.empty();
-  if (!has_unsaved_edits(session) || untouched) {
+  const bool edited = has_unsaved_edits(session);
+  const bool gone = was_read(editing) && session.path != "-" && !stamp_of(session.path).exists;
+  if (untouched || !(edited || gone)) {
     then(session);
     return;
   }
   session.after_saving = std::move(then);
-  session.question = Question{scene_name(session) + " has edits that are not saved.",
-                              {{"Save", [](Session& s, const std::string&) { save_scene(s); }},
-                               {"Discard", [](Session& s, const std::string&) { forget_edits(s); }},
-                               {"Cancel", {}}}};
+  session.question = Question{
+      scene_name(session) + (edited ? " has edits that are not saved." : " no longer exists."),
+      {{"Save", [](Session& s, const std::string&) { save_scene(s); }},
+       {"Discard", [](Session& s, const std::string&) { forget_edits(s); }},
+       {"Cancel", {}}}};
 }
 
 void ask_about_changed_file(Session& session, const std::string& text) {

@@ -95,6 +95,10 @@ void start_editing(Session& session, std::string text);
 void forget_edits(Session& session);
 /// Whether there are edits that have not been saved.
 bool has_unsaved_edits(const Session& session);
+/// Whether the picture is of the edited scene: of any version, or under another name.
+bool shows_edited_scene(const Session& session);
+/// Why the scene cannot be edited, as far as that is known; empty: it can.
+std::string refusal_to_edit(const Session& session);
 /// Whether the picture and the outline are of the current text.
 bool shows_edited_text(const Session& session);
 
@@ -140,12 +144,13 @@ void redo_edit(Session& session);
 
 /// Starts a new scene that will be saved at `path`; `ask`: after a question, which proposes it.
 void new_scene(Session& session, const std::string& path, bool ask = false);
-/// Saves the text; asks first if the file has been changed by another program.
+/// Saves the text, if there are unsaved edits or the file was deleted; asks first if the file has
+/// been changed by another program.
 void save_scene(Session& session);
 /// Asks for a path, and saves the text there. `path`: a proposal; `wrong`: what was wrong with it.
 void ask_where_to_save(Session& session, const std::string& path, const std::string& wrong = {});
-/// Does `then` at once if there are no unsaved edits; otherwise asks, and maybe saves. Questions
-/// that come in between do not change that.
+/// Does `then` at once if there are no unsaved edits, and the file still exists; otherwise asks,
+/// and maybe saves. Questions that come in between do not change that.
 void before_losing_edits(Session& session, std::function<void(Session&)> then);
 /// The file was read again, with other contents than were last read or written, while there are
 /// unsaved edits: asks which to keep.

@@ -39,6 +39,14 @@ std::string line_of(std::string_view text, std::uint32_t line) {
   return result;
 }
 
+// Leaves the line only if too little of it is left for text.
+void continue_line() {
+  ImGui::SameLine();
+  if (ImGui::GetContentRegionAvail().x < 15 * ImGui::GetFontSize()) {
+    ImGui::NewLine();
+  }
+}
+
 void build_excerpt(const std::string& text, const Location& location) {
   constexpr std::size_t most = 160;
   const std::string line = line_of(text, location.line);
@@ -47,10 +55,12 @@ void build_excerpt(const std::string& text, const Location& location) {
     return;
   }
   ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[1]);
+  ImGui::PushTextWrapPos(-1);
   ImGui::Indent(ImGui::GetFontSize());
   colored_text(color_dim, escaped(line.substr(blanks), most));
   colored_text(color_accent, std::string(location.column - 1 - blanks, ' ') + "^");
   ImGui::Unindent(ImGui::GetFontSize());
+  ImGui::PopTextWrapPos();
   ImGui::PopFont();
 }
 
@@ -61,13 +71,11 @@ void build_finding(const OpenedScene& scene, const Diagnostic& finding, bool exc
     place += fmt::format(":{}:{}", finding.location.line, finding.location.column);
   }
   colored_text(color_of(finding.severity), place);
-  ImGui::SameLine();
-  ImGui::PushTextWrapPos(0);
+  continue_line();
   ImGui::TextUnformatted(escaped(finding.message, 600).c_str());
   for (const std::string& note : finding.notes) {
     ImGui::TextDisabled("    %s", escaped(note, 600).c_str());
   }
-  ImGui::PopTextWrapPos();
   if (ImGui::IsItemHovered()) {
     ImGui::SetTooltip("%s", std::string(finding.code->help).c_str());
   }
@@ -97,7 +105,7 @@ void build_heading(const Session& session) {
     aside += (aside.empty() ? "" : "; ") + std::string("Ctrl+E corrects what is certain");
   }
   if (!aside.empty()) {
-    ImGui::SameLine();
+    continue_line();
     dim_text(aside);
   }
 }
@@ -105,6 +113,7 @@ void build_heading(const Session& session) {
 }  // namespace
 
 void build_messages(const Session& session) {
+  ImGui::PushTextWrapPos(0);
   build_heading(session);
   const OpenedScene& opened =
       session.broken != nullptr ? session.broken->opened : session.shown->opened;
@@ -113,7 +122,6 @@ void build_messages(const Session& session) {
     build_finding(opened, *finding, excerpts > 0 && finding->severity == Severity::error);
     excerpts -= finding->severity == Severity::error ? 1 : 0;
   }
-  ImGui::PushTextWrapPos(0);
   for (const std::string& note : session.drawing_notes) {
     ImGui::TextDisabled("%s", escaped(note, 400).c_str());
   }

@@ -8,12 +8,14 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <array>
 #include <cfloat>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -28,15 +30,20 @@ float gap() {
   return 0.5F * ImGui::GetStyle().ItemSpacing.x;
 }
 
-std::string typed_number(double value) {
-  return fmt::format("{:.6g}", value);
+constexpr int float_digits = std::numeric_limits<float>::max_digits10;
+
+bool same_float(double a, double b) {
+  return static_cast<float>(a) == static_cast<float>(b);
 }
 
-// How much a number changes per pixel that it is dragged. A drag over the panel's width crosses a
-// range of colors or angles, and doubles other numbers, whatever their size; near 0, where nothing
-// tells their size, it changes them by a few units.
-float drag_speed(const FieldPart& part, double value) {
+// How much a number changes per pixel that it is dragged. A drag over the panel's width crosses the
+// colors from 0 to 1 or a range of angles, and doubles other numbers, whatever their size; near 0,
+// where nothing tells their size, it changes them by a few units.
+float drag_speed(const FieldPart& part, ValueKind kind, double value) {
   constexpr double drag = 400;  // pixels
+  if (kind == ValueKind::color) {
+    return static_cast<float>(1 / drag);
+  }
   const NumberRange& range = part.range;
   if (std::isfinite(range.low) && std::isfinite(range.high) && range.high <= 360) {
     return static_cast<float>((range.high - range.low) / drag);
@@ -146,8 +153,9 @@ class FieldRow {
   }
 
   // Sets some parts of the field, as part of an edit in several steps by the widget of that number.
-  // Parts that have the value from before keep their spelling.
-  void change(Typed typed, std::size_t widget = 0) {
+  // Parts that have the value from before keep their spelling. What is not accepted changes nothing
+  // if it was dragged, and brings the value from before back if it was typed (`is_typed`).
+  void change(Typed typed, std::size_t widget = 0, bool is_typed = false) {
     constexpr std::size_t most_parts = 16;
     const EditInProgress* const edit =
         begin_edit(session_, static_cast<int>(index_ * most_parts + widget));
@@ -161,21 +169,63 @@ class FieldRow {
     const FieldView& before = fields[index_];
     for (std::size_t i = 0; i < before.parts.size(); ++i) {
       const FieldPart& part = before.parts[i];
-      if (typed[i] && part.is_number && parse_number(*typed[i]).value == number_of(part)) {
-        typed[i].reset();
+      if (typed[i] && part.is_number) {
+        const ParsedNumber now = parse_number(*typed[i]);
+        if (now.error == NumberError::none && same_float(now.value, number_of(part))) {
+          typed[i].reset();
+        }
       }
     }
     const bool none = std::none_of(typed.begin(), typed.end(),
                                    [](const auto& value) { return value.has_value(); });
-    continue_edit(session_, none
-                                ? Result<Edit>(Edit{})
-                                : edit_of_field(session_, edit->before, edit->item, before, typed));
+    const Result<Edit> made =
+        none ? Edit{} : edit_of_field(session_, edit->before, edit->item, before, typed);
+    if (made || !is_typed) {
+      continue_edit(session_, made);
+      return;
+    }
+    continue_edit(session_, Edit{});
+    if (ImGui::IsItemDeactivated()) {  // until then, it may be the start of a number
+      say(session_, made.error().text, true);
+    }
   }
 
   Typed only(std::size_t part, std::string value) const {
     Typed typed(field_.parts.size());
     typed[part] = std::move(value);
     return typed;
+  }
+
+  // Dear ImGui starts typing with the digits that the widget shows. Therefore it gets all digits of
+  // a float, and the fewer ones that are shown are painted over it.
+  void build_number(std::size_t i, int digits) {
+    const FieldPart& part = field_.parts[i];
+    const ImGuiID id = ImGui::GetID("##number");
+    if (ImGui::TempInputIsActive(id)) {
+      std::string text = part.value;
+      if (ImGui::InputText("##number", &text)) {
+        std::replace(text.begin(), text.end(), ',', '.');
+        change(only(i, text), i, true);
+      }
+      return;
+    }
+    double value = number_of(part);
+    const double low = std::isfinite(part.range.low) ? part.range.low : -1e30;
+    const double high = std::isfinite(part.range.high) ? part.range.high : 1e30;
+    const bool is_dragged = ImGui::GetActiveID() == id &&
+                            ImGui::IsMouseDragging(0, 0.5F * ImGui::GetIO().MouseDragThreshold);
+    const std::string format = fmt::format("%.{}g", is_dragged ? digits : float_digits);
+    ImGui::PushStyleColor(ImGuiCol_Text, 0U);
+    if (ImGui::DragScalar("##number", ImGuiDataType_Double, &value,
+                          drag_speed(part, field_.kind, value), &low, &high, format.c_str())) {
+      change(only(i, fmt::format("{:.6g}", value)), i);
+    }
+    ImGui::PopStyleColor();
+    if (!ImGui::TempInputIsActive(id)) {
+      ImGui::RenderTextClipped(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
+                               fmt::format("{:.{}g}", value, digits).c_str(), nullptr, nullptr,
+                               {0.5F, 0.5F});
+    }
   }
 
   // Parts [first, first + count), side by side.
@@ -185,15 +235,9 @@ class FieldRow {
     const float left = ImGui::GetCursorPosX();
     for (std::size_t i = first; i < std::min(first + count, field_.parts.size()); ++i) {
       const FieldPart& part = field_.parts[i];
-      double value = number_of(part);
       ImGui::PushID(static_cast<int>(i));
       ImGui::SetNextItemWidth(each);
-      const double low = std::isfinite(part.range.low) ? part.range.low : -1e30;
-      const double high = std::isfinite(part.range.high) ? part.range.high : 1e30;
-      if (ImGui::DragScalar("##number", ImGuiDataType_Double, &value, drag_speed(part, value), &low,
-                            &high, count > 3 ? "%.3g" : "%.5g")) {
-        change(only(i, typed_number(value)), i);
-      }
+      build_number(i, count > 3 || field_.kind == ValueKind::color ? 3 : 5);
       if (ImGui::IsItemHovered() && !ImGui::IsAnyItemActive() && field_.parts.size() > 1) {
         ImGui::SetTooltip("%s: %s", std::string(part.name).c_str(), escaped(part.value).c_str());
       }
@@ -213,18 +257,20 @@ class FieldRow {
     for (std::size_t i = 0; i < 3; ++i) {
       color[i] = static_cast<float>(number_of(field_.parts[i]));
     }
-    ImGui::SetNextItemWidth(width_);
-    if (ImGui::ColorEdit3(
-            "##color", color.data(),
-            ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoOptions)) {
+    width_ -= ImGui::GetFrameHeight() + gap();
+    build_numbers(0, 3);
+    ImGui::SameLine(0, gap());
+    if (ImGui::ColorEdit3("##color", color.data(),
+                          ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR |
+                              ImGuiColorEditFlags_NoOptions | ImGuiColorEditFlags_NoInputs)) {
       Typed typed;
       for (std::size_t i = 0; i < 3; ++i) {
-        const double now = number_of(field_.parts[i]);
-        typed.emplace_back(color[i] == static_cast<float>(now)
-                               ? typed_number(now)
+        const FieldPart& part = field_.parts[i];
+        typed.emplace_back(same_float(color[i], number_of(part))
+                               ? part.value
                                : fmt::format("{:.4g}", std::max(color[i], 0.0F)));
       }
-      change(std::move(typed));
+      change(std::move(typed), color.size());
     }
   }
 
@@ -493,8 +539,8 @@ void build_object(Session& session) {
   const OutlineRow row = session.shown->outline.rows[*session.selected];
   build_name(session, row);
   const std::optional<ItemId> item = selected_item(session);
-  if (!session.editing.refusal.empty()) {
-    ImGui::TextWrapped("%s", escaped("cannot be edited: " + session.editing.refusal, 300).c_str());
+  if (const std::string refusal = refusal_to_edit(session); !refusal.empty()) {
+    ImGui::TextWrapped("%s", escaped("cannot be edited: " + refusal, 300).c_str());
     return;
   }
   if (!session.editing.document) {
@@ -534,12 +580,12 @@ void build_object(Session& session) {
 void build_no_object(Session& session) {
   // Large scenes are only read as documents once they are edited.
   if (build_add_button(session)) {
-    if (edited_document(session) != nullptr) {
+    if (edited_document(session) != nullptr && refusal_to_edit(session).empty()) {
       const Document document = *session.editing.document;  // edits replace it
       build_add_list(session, document, std::nullopt, {});
     } else if (ImGui::BeginPopup("add")) {
       ImGui::TextDisabled("%s",
-                          escaped("cannot be edited: " + session.editing.refusal, 300).c_str());
+                          escaped("cannot be edited: " + refusal_to_edit(session), 300).c_str());
       ImGui::EndPopup();
     }
   }

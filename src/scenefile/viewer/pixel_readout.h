@@ -15,6 +15,7 @@ namespace scenefile::viewer {
 
 struct PixelReadout {
   std::optional<glm::dvec2> at;  ///< fractions of the picture's width and height; none: closed
+  double aspect = 1;             ///< of the picture, to keep `at` at what was clicked
   glm::ivec2 pixel{0};           ///< in the picture that is explained
   glm::ivec2 size{0};            ///< of that picture
   /// By role; of ours if a complete picture was traced.

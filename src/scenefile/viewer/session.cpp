@@ -161,6 +161,7 @@ Box picture_box(const Session& session, const Box& room) {
 
 bool tick_files(Session& session);  // session_files.cpp
 bool tick_pixel(Session& session);  // session_pixel.cpp
+void keep_place(Session& session);  // session_pixel.cpp
 
 bool wants_trace(const Session& session) {
   // OpenGL leaves reflections out.
@@ -260,6 +261,7 @@ void picture_changed(Session& session) {
   session.compared.reset();
   session.readout.asked = false;
   session.readout.terms.clear();
+  keep_place(session);
 }
 
 void set_pixels(Session& session, const glm::ivec2& pixels) {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <type_traits>
+#include <utility>
 
 namespace scenefile::viewer {
 
@@ -22,20 +23,30 @@ void frame(Session& session) {
   set_camera(session, framing(session.camera, box.empty() ? session.shown->bounds : box, aspect));
 }
 
+// Shows a notice if there is none.
+const Document* document_or_notice(Session& session) {
+  const Document* const document = edited_document(session);
+  if (document == nullptr) {
+    say(session, "this scene cannot be edited: " + refusal_to_edit(session), true);
+  }
+  return document;
+}
+
 // Makes an edit of the selected item.
 void edit_selection(Session& session,
                     const std::function<Result<Edit>(const Document&, ItemId)>& edit) {
-  if (const std::optional<ItemId> item = selected_item(session)) {
-    make_edit(session, edit(*session.editing.document, *item));
-  } else {
-    say(session, "this scene cannot be edited: " + session.editing.refusal, true);
+  const Document* const document = document_or_notice(session);
+  if (document == nullptr) {
+    return;
   }
+  const std::optional<ItemId> item = selected_item(session);
+  make_edit(session, item ? edit(*document, *item)
+                          : input_error("what is selected is not in the text of the file"));
 }
 
 void use_view(Session& session) {
-  const Document* const document = edited_document(session);
+  const Document* const document = document_or_notice(session);
   if (document == nullptr) {
-    say(session, "this scene cannot be edited: " + session.editing.refusal, true);
     return;
   }
   const Camera camera = camera_of(session.camera, session.shown->opened.camera());
@@ -294,33 +305,39 @@ void look_at_next(Session& session) {
 
 // Reasons why an action has no effect.
 
-std::string_view never(const Session& /*session*/) {
+std::string never(const Session& /*session*/) {
   return {};
 }
-std::string_view no_scene(const Session& session) {
+std::string no_scene(const Session& session) {
   return session.shown == nullptr ? "no scene is open" : "";
 }
-std::string_view not_selected(const Session& session) {
-  return session.shown == nullptr ? no_scene(session)
-         : session.selected       ? ""
-                                  : "nothing is selected";
+std::string not_selected(const Session& session) {
+  return session.shown != nullptr && !session.selected ? "nothing is selected" : no_scene(session);
 }
-std::string_view not_done(const Session& session) {
+std::string other_scene(const Session& session) {
+  return session.shown == nullptr || shows_edited_scene(session) ? no_scene(session)
+                                                                 : refusal_to_edit(session);
+}
+std::string not_editable(const Session& session) {
+  const std::string other = other_scene(session);
+  return other.empty() ? not_selected(session) : other;
+}
+std::string not_done(const Session& session) {
   const bool done = !session.editing.done.empty() || session.editing.progress;
   return done ? "" : "there is nothing to undo";
 }
-std::string_view not_undone(const Session& session) {
+std::string not_undone(const Session& session) {
   return session.editing.undone.empty() ? "there is nothing to redo" : "";
 }
-std::string_view none_hidden(const Session& session) {
+std::string none_hidden(const Session& session) {
   return session.hidden.empty() ? "nothing is hidden" : "";
 }
-std::string_view no_picture(const Session& session) {
+std::string no_picture(const Session& session) {
   return sides_of(session) == Sides() ? "there is no picture to compare with; drop one into the "
                                         "window, or name one: scenefile view SCENE PICTURE.png"
                                       : "";
 }
-std::string_view one_picture(const Session& session) {
+std::string one_picture(const Session& session) {
   return possible_sides(session).size() < 2 ? "for this, give two pictures of the same size: "
                                               "--reference A.png --mine B.png"
                                             : "";
@@ -358,7 +375,7 @@ using A = Action;
 
 constexpr ActionRow row(Action action, std::string_view key, std::string_view group,
                         std::string_view what, void (*act)(Session&),
-                        std::string_view (*refusal)(const Session&) = never,
+                        std::string (*refusal)(const Session&) = never,
                         bool (*is_on)(const Session&) = is_off) {
   return {action, key, group, what, act, refusal, is_on};
 }
@@ -391,25 +408,26 @@ constexpr std::array action_rows{
     row(A::side_left, "Ctrl+Shift+3", "Camera", "from the left", look_from<Side::left>, no_scene),
     row(A::side_top, "Ctrl+7", "Camera", "from above", look_from<Side::top>, no_scene),
     row(A::side_bottom, "Ctrl+Shift+7", "Camera", "from below", look_from<Side::bottom>, no_scene),
-    row(A::use_view, "C", "Camera", "make this view the scene's camera", use_view, no_scene),
+    row(A::use_view, "C", "Camera", "make this view the scene's camera", use_view, other_scene),
     row(A::collect_view, "V", "Camera", "add the view to a path for frames", change_path<true>,
-        no_scene),
+        other_scene),
     row(A::drop_view, "Shift+V", "Camera", "remove the last view of the path", change_path<false>,
-        no_scene),
+        other_scene),
     row(A::undo, "Ctrl+Z", "Edit", "undo the last edit", undo_edit, not_done),
     row(A::redo, "Ctrl+Shift+Z", "Edit", "redo it", redo_edit, not_undone),
-    row(A::add, "Insert", "Edit", "add an object, a light, or a field", open_list_to_add, no_scene),
-    row(A::duplicate, "Ctrl+D", "Edit", "duplicate the selection", duplicate, not_selected),
+    row(A::add, "Insert", "Edit", "add an object, a light, or a field", open_list_to_add,
+        other_scene),
+    row(A::duplicate, "Ctrl+D", "Edit", "duplicate the selection", duplicate, not_editable),
     row(A::wrap, "Ctrl+G", "Edit", "put the selection into a new group",
-        edit_selected<wrap_in_group>, not_selected),
+        edit_selected<wrap_in_group>, not_editable),
     row(A::earlier, "Ctrl+Up", "Edit", "move the selection up in its group", reorder<-1>,
-        not_selected),
-    row(A::later, "Ctrl+Down", "Edit", "move it down", reorder<1>, not_selected),
+        not_editable),
+    row(A::later, "Ctrl+Down", "Edit", "move it down", reorder<1>, not_editable),
     row(A::enter_group, "Ctrl+Right", "Edit", "move it into a group beside it", enter_group,
-        not_selected),
-    row(A::leave_group, "Ctrl+Left", "Edit", "move it out of its group", leave_group, not_selected),
+        not_editable),
+    row(A::leave_group, "Ctrl+Left", "Edit", "move it out of its group", leave_group, not_editable),
     row(A::remove, "Delete", "Edit", "delete the selection", edit_selected<remove_item>,
-        not_selected),
+        not_editable),
     row(A::correct, "Ctrl+E", "Edit", "correct what is certain", correct_text),
     row(
         A::handles, "B", "Edit", "handles: move, turn, scale, none",
@@ -510,8 +528,8 @@ std::span<const ActionRow> actions() {
 
 void perform(Session& session, Action action) {
   const ActionRow& row = row_of(action);
-  if (const std::string_view refusal = row.refusal(session); !refusal.empty()) {
-    say(session, std::string(refusal));
+  if (std::string refusal = row.refusal(session); !refusal.empty()) {
+    say(session, std::move(refusal));
   } else {
     row.act(session);
   }

@@ -164,9 +164,7 @@ void select_edited_item(Session& session) {
 }
 
 void show(Session& session, std::shared_ptr<const SceneOnShow> scene) {
-  const bool same_file =  // perhaps under another name
-      session.shown != nullptr && (session.shown->opened.path == scene->opened.path ||
-                                   session.shown->text_version >= session.editing.first_version);
+  const bool same_file = shows_edited_scene(session);
   const bool at_home = session.shown == nullptr || session.camera == session.home;
   if (same_file) {
     keep_state(session, *session.shown, *scene);

@@ -76,7 +76,31 @@ void ask_for_cause(Session& session) {
       session.setup.wake);
 }
 
+double aspect_of(const Session& session) {
+  const glm::dvec2 size = picture_size(session);
+  return size.x / size.y;
+}
+
 }  // namespace
+
+// The height angle of the camera is fixed, so in a picture of another aspect ratio, what was
+// clicked is at another fraction of the width.
+void keep_place(Session& session) {
+  PixelReadout& readout = session.readout;
+  const double aspect = aspect_of(session);
+  if (!readout.at || aspect == readout.aspect) {
+    return;
+  }
+  // In Realtime, the middle of the camera's view is not that of the picture.
+  const double middle =
+      0.5 * camera_view(session).box.size.x / whole_picture(session, session.picture).size.x;
+  readout.at->x = middle + (readout.at->x - middle) * readout.aspect / aspect;
+  readout.aspect = aspect;
+  if (readout.at->x < 0 || readout.at->x >= 1) {
+    read_pixel(session, std::nullopt);
+    say(session, "the picture no longer contains the pixel that was clicked; click again");
+  }
+}
 
 bool tick_pixel(Session& session) {
   PixelReadout& readout = session.readout;
@@ -114,6 +138,7 @@ bool tick_pixel(Session& session) {
 
 void read_pixel(Session& session, const std::optional<glm::dvec2>& at) {
   session.readout.at = at;
+  session.readout.aspect = aspect_of(session);
   session.explaining = session.explaining || at;
   session.readout.asked = false;
   session.readout.terms.clear();

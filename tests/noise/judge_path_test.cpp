@@ -243,6 +243,19 @@ TEST_F(Judge, NamesTwoMistakes) {
   EXPECT_THAT(second.partial[0].what, ::testing::ContainsRegex("factor 0.(49|50)"));
 }
 
+// Two mistakes and a factor explain much: only what needs no factor is named.
+TEST_F(Judge, NamesOneOfThreeMistakes) {
+  options.max_depth = 1;
+  DecodedPicture picture = with(Change::lamp_cosine, drawn());
+  for (float& value : picture.linear.rgb) {
+    value *= value < 8 ? 0.7f : 1;  // all but the lamp
+  }
+  const PathVerdict verdict = judge_path(truth, picture);
+  ASSERT_EQ(verdict.partial.size(), 1);
+  EXPECT_THAT(verdict.partial[0].what, ::testing::HasSubstr("indirect light is missing"));
+  EXPECT_THAT(verdict.partial[0].what, ::testing::HasSubstr("something else is wrong"));
+}
+
 TEST_F(Judge, NamesColorsOfTheLight) {
   EXPECT_THAT(names(judge_path(truth, with(Change::lamp_emission, drawn())).causes),
               ::testing::HasSubstr("lamp-color "));
@@ -370,19 +383,82 @@ TEST_F(Judge, ReadsOtherGammasOfToneCurves) {
   EXPECT_EQ(srgb.curve, "the tone curve v / (1 + v) and sRGB");
 }
 
+// A factor of all light is an exposure; lamps tell whether it is.
+TEST_F(Judge, ReadsExposures) {
+  const DecodedPicture picture = drawn();
+  for (const float factor : {0.5f, 1.25f, 2.0f}) {
+    for (const bool lamps_too : {true, false}) {
+      SCOPED_TRACE(::testing::Message() << factor << " " << lamps_too);
+      DecodedPicture brighter = picture;
+      for (float& value : brighter.linear.rgb) {
+        value *= lamps_too || value < 5 ? factor : 1;
+        value /= 1 + value;
+      }
+      const PathVerdict verdict = judge_path(truth, shown(brighter, 2.2));
+      EXPECT_EQ(verdict.right, lamps_too);
+      EXPECT_NEAR(verdict.exposure, lamps_too ? factor : 1, 0.01 * factor);
+      EXPECT_EQ(names(verdict.notes), "");
+      EXPECT_EQ(verdict.causes.empty() && verdict.partial.empty(), lamps_too);
+    }
+  }
+}
+
+// With an exposure, all factors are relative to that of direct light.
+TEST_F(Judge, SaysFactorsRelativeToDirectLight) {
+  options.max_depth = 1;
+  DecodedPicture picture = drawn();
+  for (float& value : picture.linear.rgb) {
+    value *= 0.6f;
+    value /= 1 + value;
+  }
+  const PathVerdict verdict = judge_path(truth, shown(picture, 2.2));
+  EXPECT_EQ(names(verdict.causes), "depth ");
+  EXPECT_NEAR(verdict.exposure, 0.6, 0.01);
+  EXPECT_EQ(verdict.places.front().factor, 1);
+  EXPECT_NEAR(verdict.energy_mine[0] / verdict.energy_truth[0], 1, 0.05);
+}
+
+// Neighboring pixels of dark colors with little noise are rounded alike.
+TEST_F(Judge, ReadsDarkPictures) {
+  options.samples = 256;
+  DecodedPicture picture = drawn();
+  for (float& value : picture.linear.rgb) {
+    value = std::min(0.1f * value, 1.0f);
+  }
+  const PathVerdict verdict = judge_path(truth, shown(picture, 1));
+  EXPECT_TRUE(verdict.right) << verdict.chi2_per_value;
+  EXPECT_EQ(names(verdict.causes) + names(verdict.partial), "");
+}
+
+TEST_F(Judge, ReadsExponentialToneCurves) {
+  const DecodedPicture picture = drawn();
+  for (const double gamma : {2.2, 1.0}) {
+    for (const double exposure : {1.0, 2.0}) {
+      DecodedPicture mapped = picture;
+      for (float& value : mapped.linear.rgb) {
+        value = static_cast<float>(1 - std::exp(-exposure * value));
+      }
+      const PathVerdict verdict = judge_path(truth, shown(mapped, gamma));
+      EXPECT_TRUE(verdict.right) << gamma << " " << exposure;
+      EXPECT_EQ(verdict.curve, gamma == 1 ? "the tone curve 1 - exp(-v) and no gamma"
+                                          : "the tone curve 1 - exp(-v) and gamma 2.2");
+      EXPECT_NEAR(verdict.exposure, exposure, 0.02 * exposure);
+    }
+  }
+}
+
 // Of a tone curve that it does not know, nothing is claimed about light.
 TEST_F(Judge, ClaimsNothingByAnUnknownToneCurve) {
-  const auto by_exposure = [](double v) { return 1 - std::exp(-2 * v); };
   const auto by_film = [](double v) {  // Narkowicz, "ACES Filmic Tone Mapping Curve", 2016
     return std::min(1.0, v * (2.51 * v + 0.03) / (v * (2.43 * v + 0.59) + 0.14));
   };
-  for (const bool film : {false, true}) {
-    SCOPED_TRACE(film);
+  for (const double gamma : {2.2, 1.0}) {
+    SCOPED_TRACE(gamma);
     DecodedPicture picture = drawn();
     for (float& value : picture.linear.rgb) {
-      value = static_cast<float>(film ? by_film(value) : by_exposure(value));
+      value = static_cast<float>(by_film(value));
     }
-    const PathVerdict verdict = judge_path(truth, shown(picture, 2.2));
+    const PathVerdict verdict = judge_path(truth, shown(picture, gamma));
     EXPECT_EQ(names(verdict.causes) + names(verdict.partial) + names(verdict.conventions), "");
     EXPECT_EQ(names(verdict.notes), "tone-curve ");
     EXPECT_TRUE(verdict.places.empty());
@@ -447,6 +523,61 @@ TEST_F(Judge, NamesPicturesWithoutReflectedLight) {
     value = value < 5 ? 0 : value;
   }
   EXPECT_EQ(names(judge_path(truth, picture).causes), "no-reflected-light ");
+}
+
+TEST_F(Judge, NamesBlackLamps) {
+  DecodedPicture picture = drawn();
+  for (float& value : picture.linear.rgb) {
+    value = value < 5 ? value : 0;
+  }
+  for (const bool screen : {false, true}) {
+    const PathVerdict verdict = judge_path(truth, screen ? shown(picture, 2.2) : picture);
+    EXPECT_EQ(names(verdict.causes), "black-lamps ") << screen;
+    EXPECT_FALSE(verdict.right) << screen;
+  }
+  EXPECT_EQ(names(judge_path(truth, with(Change::falloff_distance, picture)).causes), "distance ");
+  EXPECT_EQ(names(judge_path(truth, with(Change::falloff_distance, picture)).partial),
+            "black-lamps ");
+}
+
+// In mirrors there is no light, either: paths of other lengths do not explain that.
+TEST_F(Judge, NamesLightSamplesOfTheFirstSurfaceOnly) {
+  Model model;
+  model.quad({0.9f, 0.2f, -0.9f}, {0, 0, 1.2f}, {0, 1.6f, 0},
+             model.material(mirror({0.9f, 0.9f, 0.9f})));
+  Room mirrors = plain_room();
+  mirrors.add(model);
+  const TraceScene mirrored(mirrors.scene, mirrors.assets);
+  truth = {};
+  RenderOptions other = options;
+  other.seed = 99;
+  ASSERT_EQ(draw_truth(mirrored, mirrors.scene, other, 0, 64, {}, truth), RenderStatus::complete);
+  ASSERT_TRUE(truth.mirror);
+  options.mis = false;
+  const PathScene paths(mirrored, mirrors.scene, options);
+  DecodedPicture picture;
+  picture.linear = Image(64, 64);
+  for (int y = 0; y < 64; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      Color light(0);
+      for (std::uint32_t i = 0; i < 64; ++i) {
+        RayCounts counts;
+        PathRecord path;
+        path_light(paths, x, y, i, counts, &path);
+        Color throughput(1);
+        for (const PathVertex& v : path.vertices) {
+          const bool first = &v == path.vertices.data();
+          light += throughput * (v.emission + (first ? v.light : Color(0))) / 64.0;
+          throughput *= v.next.weight;
+        }
+      }
+      for (int c = 0; c < 3; ++c) {
+        picture.linear.pixel(x, y)[c] = static_cast<float>(light[c]);
+      }
+    }
+  }
+  picture.texture = quantize(picture.linear, Rounding::nearest);
+  EXPECT_EQ(names(judge_path(truth, picture).causes), "first-surface ");
 }
 
 TEST_F(Judge, ReadsToneMappedPicturesWithoutLamps) {

@@ -1,6 +1,7 @@
 #include "scenefile/noise/block_means.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace scenefile {
 
@@ -8,6 +9,31 @@ namespace {
 
 // Differences of our model from a right program: the shape of filters, float precision.
 constexpr double model_error = 0.004;
+
+// Pixels that differ by less than a step of 8-bit values are rounded alike: the variance of the
+// mean's error (the first harmonic of the error of rounding, for normal values).
+Color shared_rounding(const LinearPicture& picture, const PathTruth& truth, std::size_t b,
+                      const Color& mean, const Color& rounding) {
+  Color squares(0);
+  double count = 0;
+  for_each_pixel(truth, b, [&](int, int, std::size_t at) {
+    if (picture.usable[at] != 0) {
+      const Color off = picture.pixels[at] - mean;
+      squares += off * off;
+      ++count;
+    }
+  });
+  Color shared(0);
+  for (int c = 0; c < 3; ++c) {
+    if (rounding[c] > 0) {
+      // In steps, without what rounding adds (Sheppard's correction).
+      const double variance = (squares[c] / count / rounding[c] - 1) / 12;
+      const double pi = std::numbers::pi;
+      shared[c] = rounding[c] * std::exp(-4 * pi * pi * std::max(0.0, variance));
+    }
+  }
+  return shared;
+}
 
 }  // namespace
 
@@ -96,7 +122,7 @@ TruthBlocks::TruthBlocks(const PathTruth& t) : truth(t), zero(t.blocks(), Color(
   }
 }
 
-ObservedBlocks observe(const TruthBlocks& back, const LinearPicture& picture) {
+ObservedBlocks observe(const TruthBlocks& back, const LinearPicture& picture, double brighter) {
   const PathTruth& truth = back.truth;
   ObservedBlocks result;
   MeasuredBlocks& m = result.measured;
@@ -105,6 +131,7 @@ ObservedBlocks observe(const TruthBlocks& back, const LinearPicture& picture) {
   result.cautious.resize(truth.blocks());
   result.unrelated.resize(truth.blocks());
   BlockColors rounding(truth.blocks(), Color(0));
+  BlockColors shared(truth.blocks(), Color(0));
   BlockColors own(truth.blocks(), Color(0));  // variances of means as seen in the picture
   std::vector<double> ratios;
   std::vector<char> bad = back.left_out;
@@ -137,6 +164,7 @@ ObservedBlocks observe(const TruthBlocks& back, const LinearPicture& picture) {
     }
     m.mean[b] = (sum + bright) / (count + bright_count);
     rounding[b] /= count * count;
+    shared[b] = shared_rounding(picture, truth, b, sum / count, rounding[b] * count);
     // How much pixels vary beyond the pattern of the truth.
     const double scale = luminance(truth_sum) > 0 ? luminance(sum) / luminance(truth_sum) : 1;
     double squares = 0;
@@ -165,7 +193,8 @@ ObservedBlocks observe(const TruthBlocks& back, const LinearPicture& picture) {
     }
     const Color systematic = model_error * (back.all[b] + m.mean[b]) / 2.0;
     const Color noise = result.per_sample / back.pixels[b] * back.variance[b];
-    const Color others = back.truth_noise[b] + rounding[b] + back.edge[b] + systematic * systematic;
+    const Color of_truth = back.truth_noise[b] + back.edge[b];
+    const Color others = of_truth + rounding[b] + shared[b] + systematic * systematic;
     result.unrelated[b] = others;
     const double more = luminance(noise) > 0 ? std::max(1.0, own[b].x / luminance(noise)) : 1;
     // In a dark color, noise may only not have been seen.
@@ -175,7 +204,8 @@ ObservedBlocks observe(const TruthBlocks& back, const LinearPicture& picture) {
       m.weight[b][c] = v > 0 ? 1 / v : 0;
       const double most = std::max(more * noise[c] + others[c], floor);
       result.cautious[b][c] = v > 0 ? 1 / most : 0;
-      result.log_variance += rounding[b][c] > 0 ? std::log(most / rounding[b][c]) / 3 : 0;
+      const double in_file = most + (brighter * brighter - 1) * of_truth[c];
+      result.log_variance += rounding[b][c] > 0 ? std::log(in_file / rounding[b][c]) / 3 : 0;
     }
     ++result.tested;
     const double light = std::max(luminance(m.mean[b]), luminance(back.all[b]));

@@ -109,7 +109,9 @@ struct ObservedBlocks {
   std::size_t tested = 0;
 };
 
-ObservedBlocks observe(const TruthBlocks& back, const LinearPicture& picture);
+/// `brighter`: an exposure that the picture still has. The noise of the truth then has other units
+/// than the file, which matters for log_variance.
+ObservedBlocks observe(const TruthBlocks& back, const LinearPicture& picture, double brighter = 1);
 
 /// How the blocks change with a shift of the picture to the right, and down; directions in which
 /// nothing changes are left out.

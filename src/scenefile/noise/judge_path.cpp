@@ -22,6 +22,9 @@ namespace {
 // The standard error of a block, relative to its light, beyond which the noise cannot be measured.
 constexpr double too_much_noise = 0.25;
 
+// The most that a right picture leaves, as a multiple of the variance of the noise.
+constexpr double most_of_right = 2;
+
 // Of the whole picture. Fewer blocks do not tell many mistakes apart: in a picture of 30, a wrong
 // one was named. Other rows, channels, views or curves have fewer rivals.
 constexpr std::size_t fewest_blocks = 32;
@@ -32,17 +35,6 @@ constexpr std::size_t most_named = 3;
 
 std::string factor_text(double factor, double error) {
   return fmt::format("factor {:.3f} +- {:.3f}", factor, error);
-}
-
-// The factor of lamps that the camera sees.
-std::optional<double> lamp_factor(const TruthBlocks& back, const LinearPicture& picture) {
-  std::vector<double> ratios;
-  for (const std::size_t at : lamp_pixels(back)) {
-    if (picture.usable[at] != 0) {
-      ratios.push_back(luminance(picture.pixels[at]) / luminance(back.truth.pixels[at]));
-    }
-  }
-  return ratios.size() < 4 ? std::nullopt : std::optional<double>(median_of(ratios));
 }
 
 // The largest value, if visible lamps have it instead of their emission, and other light does not
@@ -128,6 +120,13 @@ std::vector<PathPlace> places_of(const TruthBlocks& back, const MeasuredBlocks& 
     places.clear();
   }
   return places;
+}
+
+// A fitted exposure makes factors relative: to that of direct light, if it is known.
+double scale_of(const Reading& reading, const std::vector<PathPlace>& places) {
+  const bool is_known = !places.empty() && places.front().name == place_rows.front().name &&
+                        places.front().factor > claim_errors * places.front().error;
+  return is_known ? places.front().factor : reading.right.factor();
 }
 
 // The largest standard error of what is not a small part of the light.
@@ -267,8 +266,7 @@ struct Explanation {
   const Reading& reading;
   PathVerdict& verdict;
   ModelSearch search{back, reading.seen, reading.any_exposure};
-  std::optional<double> whole =
-      reading.any_exposure ? std::nullopt : lamp_factor(back, reading.picture);
+  std::optional<LampFactor> whole = reading.any_exposure ? std::nullopt : reading.lamps;
 
   std::vector<Meaning> meanings_of(const PathModel& m, bool& general) const {
     return meanings(back.truth, m, whole, general);
@@ -278,9 +276,37 @@ struct Explanation {
     return std::abs(search.significance(m)) >= claim_errors && effect_of(back, m) >= least_effect;
   }
 
+  // A fitted number may explain most of the difference, although some kind of light does not have
+  // the factor that it says.
+  bool is_contradicted(const PathModel& m) const {
+    if (m.parameters == 0) {
+      return false;
+    }
+    double chi2 = 0;
+    const std::vector<PathPlace> places = places_of(back, search.measured_by(m), chi2);
+    const double scale = reading.any_exposure ? scale_of(reading, places) : 1;
+    for (std::size_t i = 0; i < std::min(places.size(), verdict.places.size()); ++i) {
+      const PathPlace& place = verdict.places[i];
+      const double off = std::abs(place.factor - places[i].factor / scale);
+      if (place.share > 0.05 && off > claim_errors * place.error && off > 0.1) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // Numbers may also stand for a tone curve that is not known, if they leave more than noise.
+  bool is_complete(const PathModel& m) const {
+    const std::size_t exposures = reading.any_exposure ? 1 : 0;
+    const bool has_numbers = m.parameters > 0 || m.free.size() > exposures;
+    return reading.is_complete(m) && !is_contradicted(m) &&
+           (!has_numbers || reading.screen.curve == ToneCurve::linear ||
+            m.chi2 < most_of_right * reading.values());
+  }
+
   // No more than the noise, and not worse than the best.
   bool is_near(const PathModel& m) const {
-    return m.kind == ModelKind::mistake && reading.is_like_noise(m) &&
+    return m.kind == ModelKind::mistake && reading.is_like_noise(m) && !is_contradicted(m) &&
            m.deviance < reading.models.front().deviance + reading.tie();
   }
 
@@ -303,7 +329,7 @@ struct Explanation {
     const auto is_known = [&](const PathModel& m) {
       bool general = false;
       static_cast<void>(meanings_of(m, general));
-      return !general && m.edits == 1 && m.deviance < most && reading.is_complete(m);
+      return !general && m.edits == 1 && m.deviance < most && is_complete(m);
     };
     const auto known = std::find_if(reading.models.begin(), reading.models.end(), is_known);
     return known == reading.models.end() ? reading.models.front() : *known;
@@ -321,7 +347,11 @@ struct Explanation {
     const bool first_wrong = fitted.kind != ModelKind::convention;
     const bool second_wrong = two.second->kind != ModelKind::convention;
     if (first_wrong && second_wrong) {
-      claim(verdict.partial, two, {a.page, a.name, a.what + "; and " + b.what});
+      // A mistake with a free factor beside another one explains much: it need not be there.
+      claim(verdict.partial, two,
+            fitted.two_mistakes()
+                ? Meaning{b.page, b.name, b.what + "; and something else is wrong"}
+                : Meaning{a.page, a.name, a.what + "; and " + b.what});
       return;
     }
     claim(!first_wrong                       ? verdict.conventions
@@ -340,7 +370,7 @@ struct Explanation {
       const bool as_likely =
           m.deviance <= best.deviance + tie && m.plain_chi2 <= best.plain_chi2 + tie;
       // The noise of a simulation says nothing against the mistake.
-      const bool as_close = m.chi2 <= best.chi2 && reading.is_complete(m);
+      const bool as_close = m.chi2 <= best.chi2 && is_complete(m);
       if (m.kind != best.kind || !(as_likely || as_close) ||
           (!first && (general || best.edits > 1 || m.edits > 1))) {
         continue;
@@ -383,7 +413,7 @@ struct Explanation {
     for (const PathModel& m : reading.models) {
       bool general = false;
       const std::vector<Meaning> names = meanings_of(m, general);
-      if (general && m.free.size() <= 1 && counts(m) && reading.is_complete(m)) {
+      if (general && m.free.size() <= 1 && counts(m) && is_complete(m)) {
         claim(verdict.partial, m, names.front());
         return;
       }
@@ -399,7 +429,7 @@ void explain(const TruthBlocks& back, const Reading& reading, PathVerdict& verdi
   const Explanation explanation{back, reading, verdict};
   const PathModel& best = explanation.best();
   verdict.chi2_per_value = best.chi2 / reading.values();
-  const bool complete = reading.is_complete(best);
+  const bool complete = explanation.is_complete(best);
   const std::optional<PathModel>& two = reading.two;
   const bool better = two && (!complete || (best.edits > 1 && best.chi2 > 2 * reading.values() &&
                                             two->score() < best.score()));
@@ -419,7 +449,10 @@ void explain(const TruthBlocks& back, const Reading& reading, PathVerdict& verdi
 void name_places(const Reading& reading, double chi2, PathVerdict& verdict) {
   const double n = reading.values();
   const double before = reading.right.fit.chi2;
-  if (chi2 - n > most_left * (before - n)) {
+  const bool curve_fits = reading.screen.curve == ToneCurve::linear || chi2 < most_of_right * n;
+  const bool scale_is_known =
+      !reading.any_exposure || (!verdict.places.empty() && verdict.places.front().factor == 1);
+  if (chi2 - n > most_left * (before - n) || !curve_fits || !scale_is_known) {
     return;
   }
   const PathPlace* worst = nullptr;
@@ -433,11 +466,26 @@ void name_places(const Reading& reading, double chi2, PathVerdict& verdict) {
   }
   if (worst != nullptr) {
     const bool missing = worst->factor < 0.05;
-    verdict.partial.push_back({Cause::scattering, "light",
-                               missing ? fmt::format("{} is missing", worst->name)
-                                       : fmt::format("{} has the {}", worst->name,
-                                                     factor_text(worst->factor, worst->error)),
-                               fmt::format("{:.0f} standard errors", most), 0});
+    const char* const relative = reading.any_exposure ? ", relative to direct light" : "";
+    verdict.partial.push_back(
+        {Cause::scattering, "light",
+         missing ? fmt::format("{} is missing", worst->name)
+                 : fmt::format("{} has the {}{}", worst->name,
+                               factor_text(worst->factor, worst->error), relative),
+         fmt::format("{:.0f} standard errors", most), 0});
+  }
+}
+
+void name_black_lamps(const Reading& reading, PathVerdict& verdict) {
+  constexpr double black = 0.03;
+  const auto is_black = [](const PathClaim& claim) { return claim.page == Cause::black; };
+  if (reading.lamps && reading.lamps->value < black &&
+      std::none_of(verdict.causes.begin(), verdict.causes.end(), is_black)) {
+    const bool alone = verdict.causes.empty() && verdict.partial.empty();
+    (alone ? verdict.causes : verdict.partial)
+        .push_back({Cause::path_length, "black-lamps",
+                    "lamps that the camera sees are black: emission is not added at the first hit",
+                    factor_text(reading.lamps->value, reading.lamps->error), 0});
   }
 }
 
@@ -555,11 +603,14 @@ bool has_other_curve(const TruthBlocks& back, const DecodedPicture& mine, const 
   }
   constexpr double about_as_well = 1.3;
   constexpr double far_better = 0.3;
+  const auto left_by = [](const Reading& r) { return r.right.chi2 / r.values(); };
   const std::optional<Reading> other = read_by_any_curve(back, mine, reading);
-  const double left = other ? other->right.chi2 / other->values() : 0;
+  const double left = other ? left_by(*other) : 0;
+  // A factor is a rising curve, too.
+  const double by_exposure = left_by(read_as(back, mine, reading.screen, true));
   const double most =
       verdict.chi2_per_value * (verdict.causes.empty() ? about_as_well : far_better);
-  return other && left < max_noise && left < most;
+  return other && left < max_noise && left < most && about_as_well * left < by_exposure;
 }
 
 constexpr const char* growth =
@@ -654,14 +705,24 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
   }
   const Reading& reading = readings.front();
   verdict.curve = reading.screen.words();
-  verdict.exposure = reading.any_exposure ? reading.right.factor() * reading.exposure : 1;
   verdict.samples = 1 / reading.seen.per_sample;
   verdict.tested = reading.seen.tested;
   verdict.clipped = reading.seen.clipped;
   verdict.critical = critical_value(0.01, reading.values() / 3);
   verdict.chi2_per_value = reading.right.chi2 / reading.values();
   const ModelSearch search(back, reading.seen, reading.any_exposure);
-  const double scale = reading.any_exposure ? reading.right.factor() : 1;
+  double chi2 = 0;
+  verdict.places = places_of(back, reading.seen.measured, chi2);
+  add_energy(back, reading.seen.measured, verdict);
+  const double scale = reading.any_exposure ? scale_of(reading, verdict.places) : 1;
+  verdict.exposure = reading.any_exposure ? scale * reading.exposure : 1;
+  for (PathPlace& place : verdict.places) {
+    place.factor /= scale;
+    place.error /= scale;
+  }
+  for (double& energy : verdict.energy_mine) {
+    energy /= scale;
+  }
   for (std::size_t b = 0; b < truth.blocks(); ++b) {
     const Color weight = reading.seen.cautious[b];
     if (weight == Color(0)) {
@@ -677,9 +738,6 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
       verdict.largest_at = middle_of(truth, b);
     }
   }
-  double chi2 = 0;
-  verdict.places = places_of(back, reading.seen.measured, chi2);
-  add_energy(back, reading.seen.measured, verdict);
   count_fireflies(back, reading.picture, verdict);
   const std::optional<double> cut =
       mine.is_linear() ? cut_off(back, reading.picture, reading.seen) : std::nullopt;
@@ -690,6 +748,7 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
   if (!cut) {
     explain(back, reading, verdict);
   }
+  const bool light_is_known = !unexplained() || !verdict.partial.empty();
   if (unexplained()) {
     explain_file(back, mine, readings, verdict);
   }
@@ -739,6 +798,10 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
                                 "most blocks differ, to both sides", 0});
     }
   }
+  // In a picture that nothing explains, something else may be where lamps should be.
+  if (light_is_known || other_curve) {
+    name_black_lamps(reading, verdict);
+  }
   const bool explained_by_convention = !verdict.conventions.empty();
   const std::vector<const BlockColors*> shifts = gradients(back, reading.seen.measured);
   const auto shift = [&](const BlockColors& gradient) {
@@ -769,12 +832,12 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
     constexpr double hidden = 0.3;                // a factor that noise may hide
     const double limit = 1.5 * verdict.critical;  // caustics have heavy tails
     if (reading.seen.relative_noise > too_much_noise ||
-        (claim_errors * error > hidden && shown < 2 && verdict.largest < limit)) {
+        (claim_errors * error > hidden && shown < most_of_right && verdict.largest < limit)) {
       verdict.too_noisy = true;
       count_samples(back, reading.seen, error, hidden / claim_errors, verdict);
       name_growth(back, reading.picture, verdict);
     } else {
-      verdict.right = shown < 2 && (explained_by_convention || verdict.largest < limit);
+      verdict.right = shown < most_of_right && (explained_by_convention || verdict.largest < limit);
     }
   }
   return verdict;

@@ -52,6 +52,8 @@ Color undone(const Color& v, const ScreenCurve& screen) {
       const Color power = without_gamma(v, screen.parameter);
       return power / std::max(1 - luminance(power), 1e-3);
     }
+    case ToneCurve::film:
+      return -glm::log(glm::max(Color(1) - without_gamma(v, screen.parameter), Color(1e-3)));
     case ToneCurve::power:
       return glm::pow(v, Color(screen.parameter));
     case ToneCurve::srgb:
@@ -77,6 +79,8 @@ std::string ScreenCurve::words() const {
       return "the tone curve v / (1 + v) and " + gamma_words(parameter);
     case ToneCurve::luminance:
       return "the tone curve v / (1 + luminance) and " + gamma_words(parameter);
+    case ToneCurve::film:
+      return "the tone curve 1 - exp(-v) and " + gamma_words(parameter);
     case ToneCurve::power:
       return fmt::format("gamma {:.3g}", parameter);
     case ToneCurve::srgb:

@@ -10,24 +10,25 @@
 namespace scenefile {
 
 /// How a program made 8-bit values. `course`: docs/path.md; `compressed`: the same without gamma;
-/// `reinhard`: v / (1 + v) of each value, and `luminance`: v / (1 + L), then a gamma; the others
-/// clamp to [0, 1] before the power or curve.
+/// `reinhard`: v / (1 + v) of each value, `luminance`: v / (1 + L), and `film`: 1 - exp(-v), then a
+/// gamma; the others clamp to [0, 1] before the power or curve.
 enum class ToneCurve : std::uint8_t {
   linear,
   course,
   compressed,
   reinhard,
   luminance,
+  film,
   power,
   srgb,
   clamp
 };
 
-/// ScreenCurve::parameter of `reinhard` and `luminance` for sRGB instead of a power.
+/// ScreenCurve::parameter of `reinhard`, `luminance` and `film` for sRGB instead of a power.
 inline constexpr double srgb_gamma = 0;
 
 /// A curve and its parameter: of `course` and `compressed` the luminance that becomes 1, of
-/// `reinhard`, `luminance` and `power` the exponent.
+/// `reinhard`, `luminance`, `film` and `power` the exponent.
 struct ScreenCurve {
   ToneCurve curve = ToneCurve::linear;
   double parameter = 1;

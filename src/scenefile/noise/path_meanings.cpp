@@ -20,11 +20,6 @@ struct Constant {
   Meaning meaning;
 };
 
-// Whether a fitted number is a constant within its error.
-bool is_number(double value, double error, double constant) {
-  return std::abs(value / constant - 1) < std::max(0.012, 3 * error / constant);
-}
-
 // What the factor of all reflected light can mean.
 std::vector<Meaning> meanings_of_direct(const PathTruth& truth, double factor, double error) {
   const auto of_samples = [](const char* name, std::string what) {
@@ -100,12 +95,13 @@ std::string factor_words(std::string_view place, double factor) {
 }
 
 // What the factor `p` of each diffuse or glossy bounce after the first can mean.
-std::vector<Meaning> meanings_of_scattering(double p, double error) {
+std::vector<Meaning> meanings_of_scattering(double p, double error, bool any_direct) {
   constexpr auto page = Cause::scattering;
+  const char* const where = any_direct ? ", at least in scattered light" : " in scattered light";
   std::vector<Meaning> found;
   const std::array<Constant, 5> known{{
-      {pi, {page, "pi", "Kd is not divided by pi in scattered light"}},
-      {1 / pi, {page, "pi", "Kd is divided twice by pi in scattered light"}},
+      {pi, {page, "pi", fmt::format("Kd is not divided by pi{}", where)}},
+      {1 / pi, {page, "pi", fmt::format("Kd is divided twice by pi{}", where)}},
       {1 / (2 * pi),
        {page, "direction-density",
         "scattered light is not divided by the density of the direction, 1 / 2 pi"}},
@@ -126,14 +122,16 @@ std::vector<Meaning> meanings_of_scattering(double p, double error) {
 }  // namespace
 
 std::vector<Meaning> meanings(const PathTruth& truth, const PathModel& m,
-                              std::optional<double> whole, bool& general) {
+                              std::optional<LampFactor> whole, bool& general) {
   general = false;
   const double f = m.factor();
   const double error = m.fit.errors.empty() ? 0 : m.fit.errors.front();
   const double p = m.parameter;
   const double p_error = 0.01 * p;
   if (m.name == "direct" || m.name == "whole") {
-    if (whole && is_number(*whole, 0.01, f)) {
+    const bool lamps_too = whole && is_number(whole->value, whole->error, f);
+    const bool lamps_tell = whole && !(lamps_too && is_number(whole->value, whole->error, 1));
+    if (lamps_too && lamps_tell) {
       return {{Cause::brightness, "brightness",
                fmt::format("everything, lamps too, has the factor {:.3f}", f)}};
     }
@@ -148,7 +146,8 @@ std::vector<Meaning> meanings(const PathTruth& truth, const PathModel& m,
             fmt::format(", as if divided by the probability {:.2f} of going on", twentieths / 20);
       }
       found.push_back({m.page, "direct-factor", std::move(what)});
-    } else if (!whole) {
+    }
+    if (!lamps_tell) {
       found.push_back(
           {Cause::brightness, "brightness", "the brightness of the picture or the lamps"});
     }
@@ -195,9 +194,10 @@ std::vector<Meaning> meanings(const PathTruth& truth, const PathModel& m,
   }
   if (m.name == "scattered" || m.name == "bounce") {
     const bool specular = truth.mirror || truth.glass;
+    const bool any_exposure = !m.free.empty();  // which hides the factor of direct light
     std::vector<Meaning> found;
     if (m.name == "scattered" || !specular) {
-      found = meanings_of_scattering(p, p_error);
+      found = meanings_of_scattering(p, p_error, any_exposure);
     }
     if (found.empty() && m.name == "scattered" && specular) {
       general = true;
@@ -243,7 +243,7 @@ std::vector<Meaning> meanings(const PathTruth& truth, const PathModel& m,
     return {{m.page, m.name == "glossy-lobe" ? "glossy" : m.name + "-factor",
              factor_words(place->second, f)}};
   }
-  if (m.name == "no-reflected-light" && whole && *whole < 0.03) {
+  if (m.name == "no-reflected-light" && whole && whole->value < 0.03) {
     return {{Cause::black, "black", "the picture is black, lamps too"}};
   }
   std::string what = m.what;

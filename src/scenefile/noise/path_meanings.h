@@ -1,7 +1,7 @@
 #pragma once
 // What the numbers of a fitted picture mean. Internal to noise.
 
-#include "scenefile/noise/path_models.h"
+#include "scenefile/noise/picture_readings.h"
 
 #include <optional>
 #include <string>
@@ -19,6 +19,6 @@ struct Meaning {
 /// picture. `whole`: the factor of visible lamps, if known. `general`: set if a free number is not
 /// one that a known mistake gives.
 std::vector<Meaning> meanings(const PathTruth& truth, const PathModel& m,
-                              std::optional<double> whole, bool& general);
+                              std::optional<LampFactor> whole, bool& general);
 
 }  // namespace scenefile

@@ -462,6 +462,10 @@ std::vector<PathModel> ModelSearch::models() const {
                    : fmt::format("paths end after {} diffuse or glossy bounces", n),
             [n](const LightKind& k) { return k.rough + (k.hit ? 0 : 1) > n; });
   }
+  if (back_.truth.mirror || back_.truth.glass) {  // otherwise the same as without indirect light
+    without(lamps, "first-surface", "light samples are taken only at the first surface",
+            [](const LightKind& k) { return !k.hit && k.bounces() > 0; });
+  }
   without(lengths, "emission-after-specular",
           "lamps that are hit after a mirror or glass do not count",
           [](const LightKind& k) { return k.hit && k.bounces() > 0; });

@@ -62,6 +62,11 @@ class ModelSearch {
   /// The best pair of two models, as if each changed the light of a block by its own factor.
   std::optional<PathModel> pair(const std::vector<PathModel>& singles) const;
 
+  /// The same light, as the model has it.
+  MeasuredBlocks measured_by(const PathModel& model) const {
+    return {picture_of(model), measured_.weight};
+  }
+
   /// How much of the step from the right picture to the model the picture makes, in standard
   /// errors.
   double significance(const PathModel& model) const;

@@ -54,6 +54,42 @@ void add_pair(const TruthBlocks& back, Reading& reading) {
   }
 }
 
+// None if the picture shows too little of lamps, or they are clipped.
+std::optional<LampFactor> lamp_factor(const TruthBlocks& back, const LinearPicture& picture) {
+  constexpr double of_programs = 0.01;
+  constexpr std::size_t fewest = 4;
+  double sum = 0;
+  double weights = 0;
+  const std::vector<std::size_t> pixels = lamp_pixels(back);
+  for (int c = 0; c < 3; ++c) {
+    std::vector<double> ratios;
+    std::vector<double> variances;
+    for (const std::size_t at : pixels) {
+      const double truth = back.truth.pixels[at][c];
+      if (picture.usable[at] != 0 && truth > 0) {
+        ratios.push_back(picture.pixels[at][c] / truth);
+        variances.push_back(picture.rounding[at][c] / (truth * truth));
+      }
+    }
+    if (ratios.size() >= fewest) {
+      // All pixels of a lamp are rounded alike, so their number does not reduce the error.
+      const double weight = 1 / (1e-12 + median_of(std::move(variances)));
+      sum += weight * median_of(std::move(ratios));
+      weights += weight;
+    }
+  }
+  return weights > 0 ? std::optional<LampFactor>(
+                           {sum / weights, std::sqrt(of_programs * of_programs + 1 / weights)})
+                     : std::nullopt;
+}
+
+// Whether the exposure is one of lamps, too: not if these have the brightness of the truth.
+bool has_exposure(const Reading& reading) {
+  const std::optional<LampFactor>& lamps = reading.lamps;
+  return !lamps || is_number(lamps->value, lamps->error, reading.right.factor()) ||
+         !is_number(lamps->value, lamps->error, 1 / reading.exposure);
+}
+
 // The white of the course's curve for which visible lamps have their emission.
 std::optional<double> white_by_lamps(const TruthBlocks& back, const DecodedPicture& mine,
                                      ToneCurve curve) {
@@ -119,7 +155,7 @@ void for_each_curve(const TruthBlocks& back, const DecodedPicture& mine, bool an
     const double white = white_by_lamps(back, mine, curve).value_or(0);
     visit({curve, white > 0 ? white : fitted_white(back, mine, curve, any_exposure)}, any_exposure);
   }
-  for (const ToneCurve curve : {ToneCurve::reinhard, ToneCurve::luminance}) {
+  for (const ToneCurve curve : {ToneCurve::reinhard, ToneCurve::luminance, ToneCurve::film}) {
     for (const double gamma : {2.2, srgb_gamma, 2.0, 1.0}) {
       visit({curve, gamma}, any_exposure);
     }
@@ -253,6 +289,10 @@ double Reading::cost() const {
          (any_exposure ? less_usual : 0) + (screen.curve == ToneCurve::course ? 0 : less_usual);
 }
 
+bool is_number(double value, double error, double constant) {
+  return std::abs(value / constant - 1) < std::max(0.012, 3 * error / constant);
+}
+
 std::vector<std::size_t> lamp_pixels(const TruthBlocks& back) {
   const PathTruth& t = back.truth;
   std::vector<std::size_t> pixels;
@@ -274,14 +314,21 @@ Reading read_as(const TruthBlocks& back, const DecodedPicture& mine, const Scree
   reading.screen = screen;
   reading.any_exposure = any_exposure;
   reading.picture = linearized(mine, screen);
+  const double typical = typical_factor(back, reading.picture);
   if (any_exposure) {
-    reading.exposure = typical_factor(back, reading.picture);
+    reading.exposure = typical;
     for (std::size_t at = 0; at < reading.picture.pixels.size(); ++at) {
       reading.picture.pixels[at] /= reading.exposure;
       reading.picture.rounding[at] /= reading.exposure * reading.exposure;
     }
   }
-  reading.seen = observe(back, reading.picture);
+  reading.lamps = lamp_factor(back, reading.picture);
+  // Otherwise a mistake with a factor above 1 would seem to leave less noise than the exposure.
+  const bool is_exposed =
+      screen.curve == ToneCurve::film ||  // of exposures, and shows no lamps
+      (reading.lamps && is_number(reading.lamps->value, reading.lamps->error, typical));
+  reading.seen =
+      observe(back, reading.picture, !any_exposure && is_exposed ? std::max(1.0, typical) : 1);
   reading.right = ModelSearch(back, reading.seen, any_exposure).right();
   return reading;
 }
@@ -292,6 +339,7 @@ Reading read_again(const TruthBlocks& back, const Reading& before, LinearPicture
   reading.any_exposure = before.any_exposure;
   reading.exposure = before.exposure;
   reading.picture = std::move(pixels);
+  reading.lamps = lamp_factor(back, reading.picture);
   reading.seen = observe(back, reading.picture);
   reading.right = ModelSearch(back, reading.seen, before.any_exposure).right();
   return reading;
@@ -337,7 +385,8 @@ std::vector<Reading> readings_of(const TruthBlocks& back, const DecodedPicture& 
   std::vector<Reading> list;
   const auto add = [&](const ScreenCurve& screen, bool any_exposure) {
     Reading reading = read_as(back, mine, screen, any_exposure);
-    if (mine.is_linear() || !is_mostly_clipped(back, reading)) {
+    if (mine.is_linear() ||
+        (!is_mostly_clipped(back, reading) && (!any_exposure || has_exposure(reading)))) {
       add_models(back, reading);
       list.push_back(std::move(reading));
     }

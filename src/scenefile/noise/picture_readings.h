@@ -20,12 +20,19 @@ inline constexpr double most_left = 0.15;
 /// the noise is what programs with the same mistake do differently.
 inline constexpr double max_noise = 3;
 
+/// The factor of lamps that the camera sees.
+struct LampFactor {
+  double value = 1;
+  double error = 0;  ///< standard error, by rounding and differences of programs
+};
+
 /// One way to linearize the picture, and what the search found then.
 struct Reading {
   ScreenCurve screen;
   bool any_exposure = false;
   double exposure = 1;  ///< the values were divided by it, so that noise has the truth's units
   LinearPicture picture;
+  std::optional<LampFactor> lamps;  ///< in `picture`
   ObservedBlocks seen;
   PathModel right;
   std::vector<PathModel> models;  ///< the best first
@@ -70,6 +77,9 @@ std::vector<Reading> readings_of(const TruthBlocks& back, const DecodedPicture& 
 
 /// Of floats that may be values for the screen: as they are, without an exposure or models.
 std::vector<Reading> readings_as_shown(const TruthBlocks& back, const DecodedPicture& mine);
+
+/// Whether a fitted number is a constant within its error.
+bool is_number(double value, double error, double constant);
 
 /// Pixels that show nothing but lamps.
 std::vector<std::size_t> lamp_pixels(const TruthBlocks& back);

@@ -800,7 +800,8 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
       const Hypothesis& h = sim.list[t.mistakes.front()];
       report.partial.push_back(
           {h.cause, h.what,
-           evidence_of_share(t.explained) + "; something else is wrong, too, or another form of it",
+           evidence_of_share(t.explained) +
+               "; something else is wrong, too, or this mistake has another form",
            t.explained});
       report.asked = sim.asked(t.mistakes);
       return;

@@ -25,6 +25,9 @@ constexpr double too_much_noise = 0.25;
 // The most that a right picture leaves, as a multiple of the variance of the noise.
 constexpr double most_of_right = 2;
 
+// How far the factor of a kind of light is off at least, to say that it is wrong.
+constexpr double least_off = 0.1;
+
 // Of the whole picture. Fewer blocks do not tell many mistakes apart: in a picture of 30, a wrong
 // one was named. Other rows, channels, views or curves have fewer rivals.
 constexpr std::size_t fewest_blocks = 32;
@@ -279,6 +282,7 @@ struct Explanation {
   // A fitted number may explain most of the difference, although some kind of light does not have
   // the factor that it says.
   bool is_contradicted(const PathModel& m) const {
+    constexpr double least_share = 0.05;  // of the light; less is hardly measured
     if (m.parameters == 0) {
       return false;
     }
@@ -288,7 +292,7 @@ struct Explanation {
     for (std::size_t i = 0; i < std::min(places.size(), verdict.places.size()); ++i) {
       const PathPlace& place = verdict.places[i];
       const double off = std::abs(place.factor - places[i].factor / scale);
-      if (place.share > 0.05 && off > claim_errors * place.error && off > 0.1) {
+      if (place.share > least_share && off > claim_errors * place.error && off > least_off) {
         return true;
       }
     }
@@ -431,8 +435,9 @@ void explain(const TruthBlocks& back, const Reading& reading, PathVerdict& verdi
   verdict.chi2_per_value = best.chi2 / reading.values();
   const bool complete = explanation.is_complete(best);
   const std::optional<PathModel>& two = reading.two;
-  const bool better = two && (!complete || (best.edits > 1 && best.chi2 > 2 * reading.values() &&
-                                            two->score() < best.score()));
+  const bool better =
+      two && (!complete || (best.edits > 1 && best.chi2 > most_of_right * reading.values() &&
+                            two->score() < best.score()));
   if (better && reading.is_complete(*two) && explanation.counts(*two)) {
     verdict.chi2_per_value = two->chi2 / reading.values();
     explanation.claim_pair(*two);
@@ -459,7 +464,7 @@ void name_places(const Reading& reading, double chi2, PathVerdict& verdict) {
   double most = claim_errors;
   for (const PathPlace& place : verdict.places) {
     const double z = std::abs(place.factor - 1) / std::max(place.error, 1e-9);
-    if (z > most && std::abs(place.factor - 1) > 0.1) {
+    if (z > most && std::abs(place.factor - 1) > least_off) {
       most = z;
       worst = &place;
     }
@@ -477,9 +482,8 @@ void name_places(const Reading& reading, double chi2, PathVerdict& verdict) {
 }
 
 void name_black_lamps(const Reading& reading, PathVerdict& verdict) {
-  constexpr double black = 0.03;
   const auto is_black = [](const PathClaim& claim) { return claim.page == Cause::black; };
-  if (reading.lamps && reading.lamps->value < black &&
+  if (reading.lamps && reading.lamps->is_black() &&
       std::none_of(verdict.causes.begin(), verdict.causes.end(), is_black)) {
     const bool alone = verdict.causes.empty() && verdict.partial.empty();
     (alone ? verdict.causes : verdict.partial)

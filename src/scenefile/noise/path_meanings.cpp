@@ -243,7 +243,7 @@ std::vector<Meaning> meanings(const PathTruth& truth, const PathModel& m,
     return {{m.page, m.name == "glossy-lobe" ? "glossy" : m.name + "-factor",
              factor_words(place->second, f)}};
   }
-  if (m.name == "no-reflected-light" && whole && whole->value < 0.03) {
+  if (m.name == "no-reflected-light" && whole && whole->is_black()) {
     return {{Cause::black, "black", "the picture is black, lamps too"}};
   }
   std::string what = m.what;

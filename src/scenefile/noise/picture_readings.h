@@ -24,6 +24,8 @@ inline constexpr double max_noise = 3;
 struct LampFactor {
   double value = 1;
   double error = 0;  ///< standard error, by rounding and differences of programs
+
+  bool is_black() const { return value < 0.03; }
 };
 
 /// One way to linearize the picture, and what the search found then.

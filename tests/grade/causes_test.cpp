@@ -987,6 +987,50 @@ TEST(Causes, LightsInThePlaneOfAFaceAreNoEvidenceOfAnEdit) {
   }
 }
 
+// Beside a steep gradient, as in a highlight, any pixel has the color of some neighbor.
+TEST(Causes, ASquareThatDiffersIsNoDetail) {
+  Texture reference{48, 48, {}};
+  for (int i = 0; i < 48 * 48; ++i) {
+    const int x = i % 48;
+    reference.rgb.insert(reference.rgb.end(), 3, static_cast<std::uint8_t>(x < 16 ? 15 * x : 240));
+  }
+  Texture picture = reference;
+  EXPECT_TRUE(find_causes(reference, picture).only_details);
+  for (int y = 20; y < 26; ++y) {
+    for (int x = 5; x < 11; ++x) {
+      std::fill_n(&picture.rgb[3 * std::size_t(48 * y + x)], 3, std::uint8_t(15 * x + 10));
+    }
+  }
+  EXPECT_FALSE(find_causes(reference, picture).only_details);
+}
+
+// A mistake that explains all that differs, but would also change a part of what is right.
+TEST(Causes, WhatBreaksRightPixelsIsNotNamed) {
+  constexpr double share_right = 0.25;  // of the pixels that it changes
+  for (std::uint32_t seed = 1; seed <= scenes; ++seed) {
+    const GeneratedScene scene(seed);
+    const SceneView view = view_of(scene);
+    const Texture right = scene.drawn_by_student({});
+    Texture picture = scene.drawn_by_student({"specular-missing"});
+    std::vector<int> changed;  // from left to right
+    for (int x = 0; x < width; ++x) {
+      for (int y = 0; y < height; ++y) {
+        if (!std::equal(right.texel(x, y), right.texel(x, y) + 3, picture.texel(x, y))) {
+          changed.push_back(width * y + x);
+        }
+      }
+    }
+    changed.resize(std::size_t(share_right * double(changed.size())));
+    for (const int i : changed) {
+      std::copy_n(&right.rgb[3 * std::size_t(i)], 3, &picture.rgb[3 * std::size_t(i)]);
+    }
+    const CauseReport report =
+        find_causes(reference_of(scene, false), picture, &view, {}, LookFor::single_mistakes);
+    EXPECT_FALSE(all_named(report).contains(Cause::specular)) << seed << ": " << said(report);
+    EXPECT_TRUE(report.partial.empty()) << seed;
+  }
+}
+
 TEST(Causes, OneEditedValueOfTheScene) {
   struct Edit {
     const char* name;

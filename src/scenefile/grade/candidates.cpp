@@ -63,7 +63,7 @@ bool is_telling(const dvec3& color) {
 bool explains_telling_pixels(const Simulation& sim, const Combination& mistakes) {
   const bool several = mistakes.size() > 1 && sim.usable;
   const bool means = sim.has_noise();
-  const double exactly = any_fitted(sim, mistakes) ? 3 : std::max(1.6, sim.rounding());
+  const double exactly = rounding_of(sim, mistakes);
   const double min_share = !several ? 0.5 : means ? 0.8 : 0.93;
   const auto right = [&](const Point& p, const dvec3& color) {
     const double limit = several ? exactly : std::min(right_within, 1 + 0.3 * largest_of(p.test));
@@ -169,6 +169,10 @@ bool loses_colors(const Hypothesis& curve) {
 }
 
 }  // namespace
+
+double rounding_of(const Simulation& sim, const Combination& mistakes) {
+  return any_fitted(sim, mistakes) ? 3 : std::max(1.6, sim.rounding());
+}
 
 bool good(const Tried& t) {
   return t.explained >= min_explained && t.exact >= min_exact && t.broken <= max_broken;

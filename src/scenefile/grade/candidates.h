@@ -13,6 +13,9 @@ inline constexpr double nearly_all = 0.95;  ///< share of pixels where one mista
 inline constexpr std::size_t screen = 240;  ///< points used to screen single mistakes
 inline constexpr std::size_t few_points = 100;  ///< points used to screen combinations
 
+/// How far colors that the mistakes explain may be from the test's, in 1/255: more with fitted
+/// numbers, which are less exact.
+double rounding_of(const Simulation& sim, const Combination& mistakes);
 /// Whether the claim satisfies the thresholds in evidence.h.
 bool good(const Tried& t);
 /// Whether the mistakes leave nothing but rounding: at nearly all points that they should explain,

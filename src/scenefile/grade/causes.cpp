@@ -204,24 +204,60 @@ bool is_doubtful(const Simulation& sim, const Tried& t) {
          });
 }
 
-// Whether the mistakes break many pixels, compared with those that differ. Of a mistake that
-// changes little, the points of the simulation may miss what it breaks, so others are taken.
-bool breaks_pixels(const Simulation& sim, const Pixels& pixels, const Tried& t) {
-  constexpr std::size_t max_points = 4000;
-  constexpr double much = 0.1;  // of what differs
-  std::mt19937 random(5);
+// Points anywhere in the picture, in large numbers: of a mistake that changes little, the points of
+// the simulation may miss what it breaks.
+struct ManyPoints {
   std::vector<Point> points;
-  add_points(sim.reference, sim.test, pixels.same, max_points, false, false, random, points);
-  const Colors right = drawn_at(sim, {}, points);
-  const Colors wrong = drawn_at(sim, t.mistakes, points);
-  double broken = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto off = [&](const dvec3& color) {
-      return largest_of(glm::abs(glm::clamp(color, dvec3(0), dvec3(255)) - points[i].test));
-    };
-    broken += off(right[i]) <= tolerance && off(wrong[i]) > 2 * tolerance ? points[i].weight : 0;
-  }
-  return broken > much * sim.weight_that_differs(sim.points.size());
+  Colors clean;  // without a mistake
+};
+
+ManyPoints many_points(const Simulation& sim) {
+  constexpr std::size_t max_points = 4000;
+  ManyPoints many;
+  std::mt19937 random(5);
+  std::vector<std::uint32_t> pixels(std::size_t(sim.test.width) * std::size_t(sim.test.height));
+  std::iota(pixels.begin(), pixels.end(), 0);
+  std::erase_if(
+      pixels, [&](std::uint32_t i) { return !sim.noise().empty() && std::isinf(sim.noise()[i]); });
+  add_points(sim.reference, sim.test, std::move(pixels), max_points, false, false, random,
+             many.points, sim.noise());
+  many.clean = drawn_at(sim, {}, many.points);
+  return many;
+}
+
+// Whether one of the mistakes breaks many pixels, compared with those that differ without it. At
+// edges, the neighbors' colors count as equal, because the numbers of mistakes may be approximate;
+// but those of edited scenes are exact.
+bool breaks_pixels(const Simulation& sim, const ManyPoints& many, const Tried& t) {
+  constexpr double much = 0.1;
+  const auto shown = [](const dvec3& color) { return glm::clamp(color, dvec3(0), dvec3(255)); };
+  const auto off = [&](const Point& p, const dvec3& color) {
+    return largest_of(glm::abs(shown(color) - p.test)) - p.noise;
+  };
+  const auto beyond_edges = [&](const Point& p, const dvec3& color) {
+    return largest_of(outside(shown(color), p.low, p.high)) + tolerance;
+  };
+  const Colors with = drawn_at(sim, t.mistakes, many.points);
+  return std::any_of(t.mistakes.begin(), t.mistakes.end(), [&](std::uint16_t mistake) {
+    const bool exact = sim.list[mistake].cause == Cause::scene_edited;
+    const double within = exact ? sim.rounding() : rounding_of(sim, t.mistakes);
+    Combination rest = t.mistakes;
+    std::erase(rest, mistake);
+    const Colors without = rest.empty() ? many.clean : drawn_at(sim, rest, many.points);
+    double broken = 0;
+    for (std::size_t i = 0; i < many.points.size(); ++i) {
+      const Point& p = many.points[i];
+      const double after = exact ? off(p, with[i]) : beyond_edges(p, with[i]);
+      broken += off(p, without[i]) <= within && after > 2 * within ? p.weight : 0;
+    }
+    const Colors before = sim.predicted(rest, sim.points.size());
+    double differs = 0;
+    for (std::size_t i = 0; i < sim.points.size(); ++i) {
+      const Point& p = sim.points[i];
+      differs += off(p, before[i]) > 2 * within ? p.weight : 0;
+    }
+    return broken > much * differs;
+  });
 }
 
 // Whether a rival of that cause fits by chance: a brightness often does, and in a nearly gray
@@ -696,7 +732,10 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
     std::erase_if(ranked, [](const Tried& t) { return t.merit() < min_partial; });
   }
   std::vector<Tried> alone = verified(sim, ranked, 16, 0.3, 0.4);
-  std::erase_if(alone, [&](const Tried& t) { return good(t) && !explains_blocks(sim, t); });
+  const ManyPoints many = sim.usable ? many_points(sim) : ManyPoints();
+  std::erase_if(alone, [&](const Tried& t) {
+    return good(t) && (!explains_blocks(sim, t) || breaks_pixels(sim, many, t));
+  });
   if (sim.stopped && alone.empty()) {
     return;
   }
@@ -762,8 +801,7 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
     sim.route += likelier.mistakes == found->mistakes ? "" : "+likeliest";
     found = likelier;
   }
-  if (found && found->mistakes.size() == 1 && asked == LookFor::several_at_once && sim.usable &&
-      !sim.has_noise() && !sim.stopped && breaks_pixels(sim, pixels, *found)) {
+  if (found && sim.usable && !sim.stopped && breaks_pixels(sim, many, *found)) {
     found.reset();
   }
   if (found && shows_much(sim, *found) &&
@@ -772,7 +810,12 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
     sim.route += all.mistakes == found->mistakes ? "" : "+fewer";
     found = all;
     if (look_for == LookFor::several_at_once) {
-      all = with_smaller_mistakes(sim, pixels, std::move(all));
+      PointsRestored restored(sim);
+      Tried more = with_smaller_mistakes(sim, pixels, all);
+      if (more.mistakes != all.mistakes && !breaks_pixels(sim, many, more)) {
+        restored.keep_new();
+        all = std::move(more);
+      }
     }
     sim.route += all.mistakes == found->mistakes ? "" : "+smaller";
     const Tried inside = all;
@@ -796,7 +839,7 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
   for (const Tried& t : alone) {
     if (t.explained >= min_partial && t.broken <= max_broken &&
         t.mistakes.front() < sim.first_fitted && shows_much(sim, t) &&
-        reproduces_its_part(sim, t)) {
+        reproduces_its_part(sim, t) && !breaks_pixels(sim, many, t)) {
       const Hypothesis& h = sim.list[t.mistakes.front()];
       report.partial.push_back(
           {h.cause, h.what,
@@ -817,7 +860,7 @@ bool claim_edited_scene(Simulation& sim, const std::vector<Combination>& likely,
     return false;
   }
   const std::optional<Tried> found = find_edited_scene(sim, likely);
-  if (found && shows_much(sim, *found)) {
+  if (found && shows_much(sim, *found) && !breaks_pixels(sim, many_points(sim), *found)) {
     sim.route = found->mistakes.size() == 1 ? "edited" : "edited-beside";
     claim(sim, *found, {}, {}, report);
     return true;

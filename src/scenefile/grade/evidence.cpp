@@ -147,17 +147,21 @@ void add_differing_points(const Texture& reference, const Texture& test,
 }
 
 bool only_details(const Pixels& pixels, const Texture& test) {
-  const std::vector<std::uint32_t>& all = pixels.different;  // in ascending order
   const auto width = static_cast<std::uint32_t>(test.width);
-  // Whether three pixels in a row differ from this one on.
-  const auto three = [&](std::uint32_t first) {
-    const auto at = std::lower_bound(all.begin(), all.end(), first);
-    return all.end() - at > 2 && at[0] == first && at[2] == first + 2 && first % width + 2 < width;
+  // Whether all of 3x3 pixels are among these, which are in ascending order.
+  const auto fill_a_square = [&](const std::vector<std::uint32_t>& all) {
+    // Whether three pixels in a row are, from this one on.
+    const auto three = [&](std::uint32_t first) {
+      const auto at = std::lower_bound(all.begin(), all.end(), first);
+      return all.end() - at > 2 && at[0] == first && at[2] == first + 2 &&
+             first % width + 2 < width;
+    };
+    return std::any_of(all.begin(), all.end(), [&](std::uint32_t first) {
+      return three(first) && three(first + width) && three(first + 2 * width);
+    });
   };
-  return double(all.size()) <= max_share_same * test.width * test.height &&
-         std::none_of(all.begin(), all.end(), [&](std::uint32_t first) {
-           return three(first) && three(first + width) && three(first + 2 * width);
-         });
+  return double(pixels.different.size()) <= max_share_same * test.width * test.height &&
+         !fill_a_square(pixels.different) && !fill_a_square(pixels.off);
 }
 
 std::string words_of_details(const Texture& reference, const Texture& test) {

@@ -644,6 +644,35 @@ TEST(Causes, FormsOfTheSameMistakes) {
   EXPECT_GE(10 * named, 9 * visible) << others;
 }
 
+TEST(Causes, MistakesOfOneShapeOrOneTerm) {
+  using namespace trace_test;
+  std::string others;
+  for (const auto& [mistake, cause, words] :
+       {std::tuple("normal-gradient-of-cones", Cause::normals, "gradients on cones"),
+        std::tuple("shape-square-caps-of-cones", Cause::shapes, "caps of cones are squares"),
+        std::tuple("specular-times-diffuse", Cause::specular, "multiplied by the diffuse color"),
+        std::tuple("specular-of-first-light", Cause::lights, "only the first light"),
+        std::tuple("specular-of-last-light", Cause::lights, "only the last light"),
+        std::tuple("diffuse-assigned", Cause::lights, "the diffuse term of each light replaces")}) {
+    GeneratedScene scene(2);
+    RenderMaterial plain;
+    plain.ambient = plain.specular = glm::vec3(0.2f);
+    plain.diffuse = {0.8f, 0.5f, 0.3f};
+    plain.shininess = 10;
+    scene.builder.add(
+        Shape::cone,
+        translate({-0.6f, 0.4f, 1.5f}) * rotate(110, {1, 0.2f, 0}) * scale({1.1f, 1.5f, 0.8f}),
+        scene.builder.material(plain));
+    const SceneView view = view_of(scene);
+    const CauseReport report =
+        find_causes(reference_of(scene, false), scene.drawn_by_student({mistake}), &view);
+    const bool right = report.claims.size() == 1 && report.claims[0].cause == cause &&
+                       report.claims[0].what.find(words) != std::string::npos;
+    others += right ? "" : std::string(mistake) + ": " + said(report) + "\n";
+  }
+  EXPECT_EQ(others, "");
+}
+
 // Known mistakes come near to these, but leave more than rounding.
 TEST(Causes, FunctionsOnNoList) {
   for (const auto& [mistake, cause, seed] :

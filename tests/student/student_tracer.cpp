@@ -388,6 +388,14 @@ constexpr KnownMistake table[] = {
     {"shadow-resets", "shadows", "shadows"},
     {"ambient-faded", "ambient", "ambient"},
     {"ambient-in-sum", "ambient", "ambient"},
+    {"normal-gradient-of-cones", "normals", "normals"},
+    {"shape-square-caps-of-cones", "shapes", "shapes"},
+    {"specular-times-diffuse", "specular", "specular"},
+    {"specular-of-first-light", "specular", "lights|specular"},
+    {"specular-of-last-light", "specular", "lights|specular"},
+    {"diffuse-assigned", "diffuse", "lights|diffuse"},
+    {"spot-powers-swapped", "spots", "spot-falloff"},
+    {"spot-from-axis", "spots", "spot-falloff"},
 };
 
 using Made = MadeMistakes<table>;
@@ -892,7 +900,7 @@ class Tracer {
                   false);
           }
         }
-        cap(o, d, -0.5f, has("shape-no-cone-cap") || has("shape-no-bottom-cap"), list);
+        cap(o, d, -0.5f, has("shape-no-cone-cap") || has("shape-no-bottom-cap"), list, true);
         return;
       }
       case Shape::mesh:
@@ -900,14 +908,16 @@ class Tracer {
     }
   }
 
-  void cap(const vec3& o, const vec3& d, float y, bool missing, std::vector<Found>& list) const {
+  void cap(const vec3& o, const vec3& d, float y, bool missing, std::vector<Found>& list,
+           bool cone = false) const {
     const float t = (y - o.y) / d.y;
     const vec3 p = o + t * d;
     const float limit = has("shape-wide-caps")          ? 1.0f
                         : has("shape-caps-square-half") ? 0.5f
                                                         : 0.25f;
-    const bool inside = has("shape-square-caps") ? std::max(std::abs(p.x), std::abs(p.z)) <= 0.5f
-                                                 : p.x * p.x + p.z * p.z <= limit;
+    const bool inside = has("shape-square-caps") || (has("shape-square-caps-of-cones") && cone)
+                            ? std::max(std::abs(p.x), std::abs(p.z)) <= 0.5f
+                            : p.x * p.x + p.z * p.z <= limit;
     if (!missing && inside) {
       const bool down =
           (y < 0 && !has("shape-cap-normals-up")) != has("shape-cap-normals-inverted");
@@ -1194,6 +1204,10 @@ class Tracer {
     }
     float x = (angle - inner) / (outer - inner);
     x = has("spot-penumbra-inverted") ? 1 - x : x;
+    x = has("spot-from-axis") ? angle / outer : x;
+    if (has("spot-powers-swapped")) {
+      return 1 - (3 * x * x * x - 2 * x * x);
+    }
     return has("spot-linear") ? 1 - x : 1 - (3 * x * x - 2 * x * x * x);
   }
 
@@ -1233,6 +1247,7 @@ class Tracer {
     if (has("ambient-times-light") || has("ambient-faded") || has("ambient-in-sum")) {
       color = vec3(0);
     }
+    vec3 last_diffuse(0);
     bool first_shadowed = false;
     bool any_light = false;
     const float ks = has("specular-no-coefficient")        ? 1
@@ -1427,6 +1442,11 @@ class Tracer {
       if (has("specular-times-cosine")) {
         highlight *= std::max(cosine, 0.0f);
       }
+      highlight *= has("specular-times-diffuse") ? m.diffuse : vec3(1);
+      if ((has("specular-of-first-light") && &lamp != lamps_.data()) ||
+          (has("specular-of-last-light") && &lamp != &lamps_.back())) {
+        highlight = vec3(0);
+      }
       vec3 light_color = has("light-white")         ? vec3(1)
                          : has("light-unit-colors") ? glm::normalize(light.color)
                                                     : light.color;
@@ -1461,6 +1481,11 @@ class Tracer {
         color = added;
         continue;
       }
+      if (has("diffuse-assigned")) {
+        color += added - last_diffuse;
+        last_diffuse = strength * diffuse;
+        continue;
+      }
       if (has("light-attenuates-sum")) {
         color = strength * (color + diffuse + highlight);
         continue;
@@ -1480,6 +1505,11 @@ class Tracer {
                                                 : glm::normalize(f.normal);
     const mat3 m(f.object->matrix);
     const mat3 inverse(f.object->inverse);
+    if (has("normal-gradient-of-cones")) {
+      const bool round = f.object->primitive->shape == Shape::sphere ||
+                         f.object->primitive->shape == Shape::cylinder;
+      return glm::transpose(inverse) * (round && !f.cap ? 0.5f * f.normal : f.normal);
+    }
     if (has("normal-gradient")) {
       const bool flat = f.cap || f.object->primitive->shape == Shape::cube;
       return glm::transpose(inverse) * (flat ? f.normal : 0.5f * f.normal);

@@ -169,6 +169,22 @@ void add_lights(HypothesisList& list) {
         "only the brightest light counts: the maximum of the lights, not their sum");
     sum(LightSum::last, "each light replaces those before it" + lit);
     sum(LightSum::last_of_all, "each light replaces those before it and the ambient term" + lit);
+    const auto sum_of = [&](LightTerm term, LightSum value, std::string_view what) {
+      list.add(Cause::lights, what, [=](Trial& t) {
+        t.mistakes.light_sum = value;
+        t.mistakes.summed_term = term;
+      });
+    };
+    for (const auto& [term, name] :
+         {std::pair(LightTerm::diffuse, "diffuse"), std::pair(LightTerm::specular, "specular")}) {
+      sum_of(term, LightSum::first_of_term,
+             fmt::format("only the first light has a {} term", name));
+      sum_of(term, LightSum::last_of_term, fmt::format("only the last light has a {} term", name));
+      if (list.shadows()) {
+        sum_of(term, LightSum::replaces_term,
+               fmt::format("the {} term of each light replaces those before it{}", name, lit));
+      }
+    }
     change_lights(list, Cause::lights, "the light is divided by the number of lights",
                   [n = float(list.scene.lights.size())](RenderLight& l) { l.color /= n; });
   }

@@ -55,6 +55,10 @@ void add_ambient(HypothesisList& list) {
     tinted("the ambient term is multiplied by the color of each light, and added for each", sum);
     tinted("the ambient term is multiplied by the color of the first light",
            list.scene.lights.front().color);
+    if (list.scene.lights.size() > 1) {
+      tinted("the ambient term is multiplied by the color of the last light",
+             list.scene.lights.back().color);
+    }
   }
   if (list.any_type(has_position)) {
     list.set(Cause::ambient, &ModelMistakes::ambient, A::faded,
@@ -184,6 +188,7 @@ void add_specular(HypothesisList& list) {
        {S::no_color, "the specular term is missing the color of the material"},
        {S::no_light_color, "the specular term is missing the color of the light"},
        {S::diffuse_color, "the specular term takes the diffuse color"},
+       {S::times_diffuse, "the specular color is multiplied by the diffuse color"},
        {S::squared_coefficient, "the specular term has the global coefficient twice"},
        {S::times_shininess, "the specular term is multiplied by the exponent"},
        {S::lit_side_only, "highlights are cut off where N.L is below 0"}});
@@ -212,6 +217,8 @@ void add_normals(HypothesisList& list) {
        {N::not_normalized, "normals are not normalized after the transform"},
        {N::raw_not_normalized, "normals are never normalized"},
        {N::gradient_not_normalized, "normals are never normalized (gradients)"},
+       {N::cone_gradient_not_normalized,
+        "normals are never normalized (points on spheres and cylinders, gradients on cones)"},
        {N::matrix_not_normalized, "normals are transformed like directions, and not normalized"},
        {N::translated, "normals are translated, like points (w = 1)"},
        {N::inverse_translated, "normals are transformed by the inverse, like points (w = 1)"},

@@ -3,6 +3,8 @@
 // first value is correct. Mistakes that can be expressed by another scene, camera or finished
 // picture are in hypotheses.h.
 
+#include "scenefile/scene/render_scene.h"
+
 #include <glm/glm.hpp>
 
 #include <cstdint>
@@ -14,22 +16,23 @@ namespace scenefile {
 
 enum class NormalMistake : std::uint8_t {
   none,
-  by_matrix,                ///< transformed like a direction
-  by_inverse,               ///< by the inverse, not transposed
-  by_transpose,             ///< by the transpose, not inverted
-  of_object,                ///< not transformed at all
-  absolute,                 ///< |n|, by component
-  inverted,                 ///< pointing inward
-  toward_eye,               ///< flipped toward the eye
-  not_normalized,           ///< normalized in object space only
-  raw_not_normalized,       ///< curved sides: as long as the distance from the axis
-  gradient_not_normalized,  ///< as long as the gradient of the shape's equation
-  matrix_not_normalized,    ///< transformed like a direction, and not normalized
-  translated,               ///< transformed like a point, with the translation
-  inverse_translated,       ///< (n, 1) by the inverse of the 4x4 matrix
-  right_translated,         ///< the normal matrix, plus the translation
-  four_normalized,          ///< (n, 0) by the 4x4 inverse transpose; w counts in the length
-  four_normalized_w1,       ///< ... (n, 1)
+  by_matrix,                     ///< transformed like a direction
+  by_inverse,                    ///< by the inverse, not transposed
+  by_transpose,                  ///< by the transpose, not inverted
+  of_object,                     ///< not transformed at all
+  absolute,                      ///< |n|, by component
+  inverted,                      ///< pointing inward
+  toward_eye,                    ///< flipped toward the eye
+  not_normalized,                ///< normalized in object space only
+  raw_not_normalized,            ///< curved sides: as long as the distance from the axis
+  gradient_not_normalized,       ///< as long as the gradient of the shape's equation
+  cone_gradient_not_normalized,  ///< ... on cones; otherwise like raw_not_normalized
+  matrix_not_normalized,         ///< transformed like a direction, and not normalized
+  translated,                    ///< transformed like a point, with the translation
+  inverse_translated,            ///< (n, 1) by the inverse of the 4x4 matrix
+  right_translated,              ///< the normal matrix, plus the translation
+  four_normalized,               ///< (n, 0) by the 4x4 inverse transpose; w counts in the length
+  four_normalized_w1,            ///< ... (n, 1)
 };
 
 enum class ConeNormalMistake : std::uint8_t {
@@ -229,6 +232,7 @@ enum class SpecularMistake : std::uint8_t {
   no_color,
   no_light_color,
   diffuse_color,
+  times_diffuse,         ///< both colors
   mirror_of_view_wrong,  ///< uses the ray's direction instead of the direction to the eye
   eye_at_origin,
   looks_along_camera,   ///< uses the camera's axis as the eye vector
@@ -439,7 +443,13 @@ enum class LightSum : std::uint8_t {
   last,              ///< each light replaces those before it
   last_of_all,       ///< ... and the ambient term
   attenuated_again,  ///< what was added before is attenuated, too
+  first_of_term,     ///< of one term only the first light counts
+  last_of_term,
+  replaces_term,  ///< ... and of one term each light that is not shadowed replaces those before it
 };
+
+/// The term in LightSum::first_of_term and the like.
+enum class LightTerm : std::uint8_t { diffuse, specular };
 
 /// What the directions of rays are in object space.
 enum class DirectionMistake : std::uint8_t {
@@ -455,6 +465,7 @@ struct ModelMistakes {
   bool no_cone_cap = false;
   bool cap_normals_down = false;
   ShapeMistake shape = ShapeMistake::none;
+  std::optional<Shape> caps_of;  ///< the only shape whose caps are too large by `shape`; else all
   NearestMistake nearest = NearestMistake::none;
   LightVectorMistake light_vector = LightVectorMistake::none;
   AttenuationMistake attenuation = AttenuationMistake::none;
@@ -493,6 +504,7 @@ struct ModelMistakes {
   bool behind_in_reflections = true;  ///< reflected rays also hit objects behind their start
   double orthographic = 0;  ///< parallel rays from a film at this distance; 0: perspective
   LightSum light_sum = LightSum::none;
+  LightTerm summed_term = LightTerm::diffuse;
   int missing_face = 0;     ///< of cubes, see ModelHit::face
   bool all_lights = false;  ///< in a mode that only uses directional lights
 };

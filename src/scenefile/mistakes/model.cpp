@@ -74,6 +74,7 @@ dvec3 transformed_normal(const ModelPart& part, const dvec3& normal, NormalMista
     case NormalMistake::not_normalized:
     case NormalMistake::raw_not_normalized:
     case NormalMistake::gradient_not_normalized:
+    case NormalMistake::cone_gradient_not_normalized:
       break;
   }
   return right;
@@ -82,6 +83,7 @@ dvec3 transformed_normal(const ModelPart& part, const dvec3& normal, NormalMista
 bool keeps_length(NormalMistake mistake) {
   return mistake == NormalMistake::not_normalized || mistake == NormalMistake::raw_not_normalized ||
          mistake == NormalMistake::gradient_not_normalized ||
+         mistake == NormalMistake::cone_gradient_not_normalized ||
          mistake == NormalMistake::matrix_not_normalized ||
          mistake == NormalMistake::four_normalized || mistake == NormalMistake::four_normalized_w1;
 }
@@ -375,11 +377,12 @@ dvec3 shape_normal(Shape shape, int face, const dvec3& p, ConeNormalMistake cone
 }
 
 dvec3 to_world(const ModelPart& part, const dvec3& raw, bool flat, NormalMistake mistake) {
-  const bool as_it_is = mistake == NormalMistake::gradient_not_normalized ||
-                        (mistake == NormalMistake::raw_not_normalized && flat);
-  const dvec3 n = as_it_is                                       ? raw
-                  : mistake == NormalMistake::raw_not_normalized ? 0.5 * raw
-                                                                 : unit(raw);
+  // Programs that normalize nothing use points, half as long as gradients, or gradients.
+  const bool cone_gradient = mistake == NormalMistake::cone_gradient_not_normalized;
+  const bool points = mistake == NormalMistake::raw_not_normalized || cone_gradient;
+  const bool as_it_is = mistake == NormalMistake::gradient_not_normalized || (points && flat) ||
+                        (cone_gradient && part.shape == Shape::cone);
+  const dvec3 n = as_it_is ? raw : points ? 0.5 * raw : unit(raw);
   const dvec3 moved = transformed_normal(part, n, mistake);
   return keeps_length(mistake) ? moved : unit(moved);
 }
@@ -1075,6 +1078,9 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
   dvec3 specular_color = m_.specular == SpecularMistake::no_color        ? dvec3(1)
                          : m_.specular == SpecularMistake::diffuse_color ? dvec3(material.diffuse)
                                                                          : dvec3(material.specular);
+  if (m_.specular == SpecularMistake::times_diffuse) {
+    specular_color *= dvec3(material.diffuse);
+  }
   if (m_.specular == SpecularMistake::times_shininess) {
     specular_color *= material.shininess;
   }
@@ -1085,7 +1091,8 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
   bool first = true;
   bool first_shadow = false;
   const bool loses_more = loses_more_than_the_light(m_.shadow);
-  const auto lit_by = [&](const RenderLight& light, const Arrival& arriving, dvec3& color) {
+  const auto lit_by = [&](const RenderLight& light, const Arrival& arriving, dvec3& color,
+                          dvec3& diffuse_share) {
     const dvec3& n = s.normal;
     const dvec3& l = arriving.to_light;
     double cosine = glm::dot(n, l);
@@ -1175,6 +1182,7 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
     const dvec3 diffuse_part = arriving.factor * diffuse_light * diffuse;
     const dvec3 specular_part = arriving.specular_factor * specular_light * shining;
     color = diffuse_part + specular_part;
+    diffuse_share = diffuse_part;
     // What is dark anyway needs no shadow, unless a light that is not shadowed replaces others, or
     // the ambient term depends on it.
     if (color == dvec3(0) && m_.shadow == ShadowMistake::none && m_.light_sum == LightSum::none &&
@@ -1193,43 +1201,51 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
     switch (m_.shadow) {
       case ShadowMistake::keeps_specular:
         color = specular_part;
+        diffuse_share = dvec3(0);
         break;
       case ShadowMistake::keeps_diffuse:
         color = diffuse_part;
         break;
       case ShadowMistake::half:
         color *= 0.5;
+        diffuse_share *= 0.5;
         break;
       default:
+        diffuse_share *= 0;
         color *= 0;  // infinite light gives NaN, see AttenuationMistake::infinite_white
         break;
     }
     return false;
   };
+  dvec3 replaced(0);  // by the next light, see LightSum::replaces_term
   for (const RenderLight& light : scene_.lights) {
     if (!counts(light)) {
       continue;
     }
     const std::uint32_t side = has_rectangle(light.type) ? area_side : 1;
     dvec3 of_light(0);
+    dvec3 of_term(0);
     double factor = 0;
     bool lit = false;
     for (std::uint32_t i = 0; i < side * side; ++i) {
       Arrival arriving;
       const dvec2 on_light((i % side + 0.5) / side, (i / side + 0.5) / side);
       dvec3 color(0);
+      dvec3 diffuse_share(0);
       const bool arrives = arrival(light, s, on_light, arriving);
       // Outside the cone of a spotlight, a shadow may take what other lights have added.
       if (arrives || (loses_more && arriving.factor == 0)) {
-        const bool open = lit_by(light, arriving, color);
+        const bool open = lit_by(light, arriving, color, diffuse_share);
         lit = lit || open;
         of_light += color;
+        of_term += m_.summed_term == LightTerm::diffuse ? diffuse_share : color - diffuse_share;
         factor += arriving.factor / double(side * side);
       } else {
         lit = true;
       }
     }
     of_light /= double(side * side);
+    of_term /= double(side * side);
     if (m_.ambient != AmbientMistake::faded_shadowed || lit) {
       of_light += factor * faded_ambient *
                   (m_.ambient == AmbientMistake::faded ? dvec3(1) : dvec3(light.color));
@@ -1250,6 +1266,17 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
         break;
       case LightSum::attenuated_again:
         sum = lit ? factor * sum + of_light : sum;
+        break;
+      case LightSum::first_of_term:
+        sum += &light == &scene_.lights.front() ? of_light : of_light - of_term;
+        break;
+      case LightSum::last_of_term:
+      case LightSum::replaces_term:
+        sum += of_light;
+        if (lit || m_.light_sum == LightSum::last_of_term) {
+          sum -= replaced;
+          replaced = of_term;
+        }
         break;
       case LightSum::none:
         sum += of_light;

@@ -342,7 +342,8 @@ void side_roots(const dvec3& o, const dvec3& d, double a, double h, double c, do
   }
 }
 
-void cylinder(const dvec3& o, const dvec3& d, bool caps, ShapeMistake mistake, Crossings& found) {
+void cylinder(const dvec3& o, const dvec3& d, bool caps, ShapeMistake mistake, ShapeMistake of_caps,
+              Crossings& found) {
   const bool ends = mistake != ShapeMistake::endless && mistake != ShapeMistake::endless_cylinder;
   const double high = ends ? 0.5 : infinity;
   const double square = mistake == ShapeMistake::cylinder_square_half  ? 0.5
@@ -352,15 +353,16 @@ void cylinder(const dvec3& o, const dvec3& d, bool caps, ShapeMistake mistake, C
              -high, high, mistake, found);
   if (caps && d.y != 0) {
     if (mistake != ShapeMistake::no_top_cap) {
-      cap(o, d, 0.5, 1, mistake, found);
+      cap(o, d, 0.5, 1, of_caps, found);
     }
     if (mistake != ShapeMistake::no_bottom_cap && mistake != ShapeMistake::no_cylinder_bottom) {
-      cap(o, d, -0.5, 2, mistake, found);
+      cap(o, d, -0.5, 2, of_caps, found);
     }
   }
 }
 
-void cone(const dvec3& o, const dvec3& d, bool caps, ShapeMistake mistake, Crossings& found) {
+void cone(const dvec3& o, const dvec3& d, bool caps, ShapeMistake mistake, ShapeMistake of_caps,
+          Crossings& found) {
   const bool endless = mistake == ShapeMistake::endless || mistake == ShapeMistake::endless_cone;
   const double y = o.y - 0.5;
   const double k = mistake == ShapeMistake::wide_cone ? 1 : 0.25;
@@ -369,7 +371,7 @@ void cone(const dvec3& o, const dvec3& d, bool caps, ShapeMistake mistake, Cross
              endless || mistake == ShapeMistake::deep_cone ? -infinity : -0.5,
              endless || mistake == ShapeMistake::double_cone ? infinity : 0.5, mistake, found);
   if (caps && d.y != 0 && mistake != ShapeMistake::no_bottom_cap) {
-    cap(o, d, -0.5, 2, mistake, found);
+    cap(o, d, -0.5, 2, of_caps, found);
   }
 }
 
@@ -515,6 +517,8 @@ bool Model::meet(const ModelPart& part, const ModelRay& ray, double t_min, doubl
     found = true;
   };
   Crossings crossings;
+  const ShapeMistake of_caps =
+      m_.caps_of.value_or(part.shape) == part.shape ? m_.shape : ShapeMistake::none;
   switch (part.shape) {
     case Shape::cube:
       cube(o, d, m_.missing_face, crossings);
@@ -523,10 +527,10 @@ bool Model::meet(const ModelPart& part, const ModelRay& ray, double t_min, doubl
       sphere(o, d, m_.shape, crossings);
       break;
     case Shape::cylinder:
-      cylinder(o, d, !m_.no_cylinder_caps, m_.shape, crossings);
+      cylinder(o, d, !m_.no_cylinder_caps, m_.shape, of_caps, crossings);
       break;
     case Shape::cone:
-      cone(o, d, !m_.no_cone_cap, m_.shape, crossings);
+      cone(o, d, !m_.no_cone_cap, m_.shape, of_caps, crossings);
       break;
     case Shape::mesh: {
       const Mesh& mesh = assets_.meshes[part.mesh];

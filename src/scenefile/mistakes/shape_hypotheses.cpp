@@ -58,17 +58,31 @@ void add_shapes(HypothesisList& list) {
   if (cylinder && cone) {
     put_shape({{S::no_bottom_cap, "cylinders and cones have no bottom cap"}}, Stage::hits);
   }
+  const auto put_caps = [&](S value, const char* what) {
+    list.set(Cause::shapes, &ModelMistakes::shape, value, fmt::format("caps {}", what),
+             Stage::hits);
+    for (const Shape shape : {Shape::cylinder, Shape::cone}) {
+      if (cone && cylinder) {
+        list.add(
+            Cause::shapes, fmt::format("caps of {}s {}", word_of(shape), what),
+            [=](Trial& t) {
+              t.mistakes.shape = value;
+              t.mistakes.caps_of = shape;
+            },
+            Stage::hits);
+      }
+    }
+  };
   if (cone || cylinder) {
-    put_shape({{S::square_caps, "caps are squares: they are not cut to a disk"}}, Stage::hits);
+    put_caps(S::square_caps, "are squares: they are not cut to a disk");
     list.set(Cause::shapes, &ModelMistakes::cap_normals_down, true, "normals of caps are inverted");
     put_shape({{S::cap_normals_up, "normals of all caps point up"},
                {S::cap_normals_like_side, "normals of caps are those of the side"}},
               Stage::shading);
   }
   if ((cone || cylinder) && few) {
-    put_shape({{S::wide_caps, "caps are twice as wide as they should be: their radius is 1"},
-               {S::caps_square_half, "caps are too wide: the square of their radius is 0.5"}},
-              Stage::hits);
+    put_caps(S::wide_caps, "are twice as wide as they should be: their radius is 1");
+    put_caps(S::caps_square_half, "are too wide: the square of their radius is 0.5");
   }
   if (cone && few) {
     put_shape({{S::wide_cone, "cones are twice as wide as they should be: their radius is 1"}},

@@ -708,6 +708,19 @@ TEST(Causes, SaysWhatPixelsWithoutAKnownMistakeHaveInCommon) {
   EXPECT_NE(report.confined.find("show highlights"), std::string::npos) << report.confined;
 }
 
+TEST(Causes, TexturesFilteredHalfATexelOffAreNoted) {
+  const GeneratedScene scene(1);
+  SceneView view = view_of(scene);
+  view.options.features.texture_filter = true;
+  const Texture reference =
+      quantize(scene.builder.picture(width, height, view.options), Rounding::truncate);
+  const CauseReport report =
+      find_causes(reference, scene.drawn_by_student({"texture-filtered"}), &view);
+  EXPECT_TRUE(report.claims.empty()) << said(report);
+  ASSERT_EQ(report.notes.size(), 1u);
+  EXPECT_NE(report.notes.front().what.find("half a texel"), std::string::npos);
+}
+
 TEST(Causes, Shadows) {
   expect_named(Cause::shadows, {"shadow-none"});
   expect_named(Cause::shadows, {"shadow-directional-only"});

@@ -200,11 +200,13 @@ Trial trial_of(const Simulation& sim, const Sampling& way) {
   return trial;
 }
 
-std::string words_of(const Sampling& way) {
+std::string words_of(const Simulation& sim, const Sampling& way) {
   std::string texture;
   if (way.texture != TextureMistake::none) {
     texture = way.texture == TextureMistake::not_filtered
                   ? "textures are not filtered, but those of the reference are"
+              : sim.view->options.features.texture_filter
+                  ? "textures are filtered half a texel from where those of the reference are"
                   : "textures are filtered, but those of the reference are not";
   }
   const std::string samples =
@@ -229,7 +231,8 @@ std::vector<Sampling> possible_samplings(const Simulation& sim) {
   const bool any = std::any_of(sim.view->scene->materials.begin(), sim.view->scene->materials.end(),
                                [](const RenderMaterial& m) { return m.texture.used(); });
   if (any && features.texture && features.texture_filter) {
-    textures.push_back(TextureMistake::not_filtered);
+    textures.insert(textures.end(),
+                    {TextureMistake::not_filtered, TextureMistake::filtered_centered});
   } else if (any && features.texture) {
     textures.insert(textures.end(), {TextureMistake::filtered_centered, TextureMistake::filtered});
   }
@@ -306,7 +309,7 @@ std::optional<Claim> drop_other_samples(Simulation& sim,
       sampled = is_sampled(sim, way, many, rest);
     }
     if (sampled) {
-      return Claim{Cause::samples, words_of(way), evidence_of_share(1), 1};
+      return Claim{Cause::samples, words_of(sim, way), evidence_of_share(1), 1};
     }
     if (rest.size() < least.size()) {
       least = std::move(rest);

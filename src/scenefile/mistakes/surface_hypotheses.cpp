@@ -82,6 +82,8 @@ void add_textures(HypothesisList& list) {
     put_sampling(T::not_filtered,
                  "textures are sampled at one point, but those of the reference are smooth "
                  "(filtered, or with several samples per pixel)");
+    put_sampling(T::filtered_centered,
+                 "textures are filtered half a texel from where those of the reference are");
   } else {
     put_sampling(T::filtered_centered, "textures are filtered, but those of the reference are not");
     put_sampling(T::filtered,

@@ -708,6 +708,35 @@ TEST(Causes, SaysWhatPixelsWithoutAKnownMistakeHaveInCommon) {
   EXPECT_NE(report.confined.find("show highlights"), std::string::npos) << report.confined;
 }
 
+// Wrong reflections, where the right ones are black.
+TEST(Causes, SaysThatPixelsWithoutAKnownMistakeShowMirrors) {
+  constexpr std::size_t mirror = 2;  // the material of a sphere
+  GeneratedScene scene(2);
+  GeneratedScene only_mirror(2);
+  for (std::size_t i = 0; i < scene.builder.scene.materials.size(); ++i) {
+    scene.builder.scene.materials[i].reflective = glm::vec3(i == mirror ? 0.5f : 0.0f);
+    RenderMaterial one;
+    one.diffuse = glm::vec3(0);
+    one.ambient = glm::vec3(i == mirror ? 1.0f : 0.0f);
+    only_mirror.builder.scene.materials[i] = one;
+  }
+  SceneView view = view_of(scene);
+  view.options.max_depth = 0;
+  const Texture reference =
+      quantize(scene.builder.picture(width, height, view.options), Rounding::truncate);
+  const Texture marked = reference_of(only_mirror, false);
+  Texture test = reference;
+  for (std::size_t i = 0; i < test.rgb.size(); i += 3) {
+    if (marked.rgb[i] > 0 && i % 2 == 0) {
+      test.rgb[i] = static_cast<std::uint8_t>(i * 7 % 256);
+    }
+  }
+  const CauseReport report = find_causes(reference, test, &view);
+  EXPECT_TRUE(report.claims.empty()) << said(report);
+  EXPECT_NE(report.confined.find("show an object that reflects"), std::string::npos)
+      << report.confined;
+}
+
 TEST(Causes, TexturesFilteredHalfATexelOffAreNoted) {
   const GeneratedScene scene(1);
   SceneView view = view_of(scene);

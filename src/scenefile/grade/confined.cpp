@@ -17,8 +17,8 @@ using glm::dvec3;
 constexpr std::size_t max_points_shown = 500;
 constexpr double visible = 2;              // in 1/255
 constexpr double nearly_all_of_it = 0.98;  // share of the pixels that differ
-constexpr double min_differing = 0.5;      // share of the pixels in the place
-constexpr double min_outside = 0.1;  // share of the objects' pixels that must be right outside
+constexpr double min_outside = 0.1;        // share of the objects' pixels that must be outside
+constexpr double max_of_others = 0.5;      // share of the others that may be in the place: chance
 
 std::size_t points_of(const Simulation& sim) {
   return std::min(max_points_shown, sim.points.size());
@@ -81,6 +81,25 @@ std::vector<Place> places_in(const Simulation& sim) {
         [i](Trial& t) { t.scene.lights[i].color = glm::vec3(0); });
   }
   const std::vector<ModelHit>& hits = sim.clean({}).hits;
+  const auto add_objects = [&](std::string words, const auto& is_one) {
+    std::vector<bool> in_place;
+    for (std::size_t i = 0; i < points_of(sim); ++i) {
+      in_place.push_back(hits[i].part != nullptr && is_one(*hits[i].part));
+    }
+    places.push_back(measured(sim, std::move(words), in_place));
+  };
+  // A wrong term may show where the right one is black.
+  if (options.mode != Mode::normals && scene.global.specular > 0) {
+    add_objects("show an object that can have highlights", [&](const ModelPart& part) {
+      const RenderMaterial& m = scene.materials[part.material];
+      return m.specular != glm::vec3(0) && m.shininess > 0;
+    });
+  }
+  if (options.mode == Mode::ray && options.features.reflect && scene.global.specular > 0) {
+    add_objects("show an object that reflects", [&](const ModelPart& part) {
+      return scene.materials[part.material].reflective != glm::vec3(0);
+    });
+  }
   std::set<Shape> shapes;
   for (std::size_t i = 0; i < points_of(sim); ++i) {
     if (hits[i].part != nullptr) {
@@ -88,11 +107,8 @@ std::vector<Place> places_in(const Simulation& sim) {
     }
   }
   for (const Shape shape : shapes) {
-    std::vector<bool> in_place;
-    for (std::size_t i = 0; i < points_of(sim); ++i) {
-      in_place.push_back(hits[i].part != nullptr && hits[i].part->shape == shape);
-    }
-    places.push_back(measured(sim, fmt::format("show a {}", word_of(shape)), in_place));
+    add_objects(fmt::format("show a {}", word_of(shape)),
+                [shape](const ModelPart& part) { return part.shape == shape; });
   }
   return places;
 }
@@ -112,7 +128,7 @@ std::string confined_to(const Simulation& sim) {
   const std::vector<Place> places = places_in(sim);
   for (const Place& place : places) {
     if (place.differing >= nearly_all_of_it * differing &&
-        place.differing >= min_differing * place.all &&
+        place.all - place.differing <= max_of_others * (objects - differing) &&
         objects - place.all >= min_outside * objects &&
         (best == nullptr || place.all < best->all)) {
       best = &place;

@@ -679,7 +679,9 @@ TEST(Causes, FunctionsOnNoList) {
        {std::tuple("attenuation-root", Cause::attenuation, 1u),
         std::tuple("attenuation-exponential", Cause::attenuation, 4u),
         std::tuple("attenuation-late", Cause::attenuation, 1u),
-        std::tuple("spot-cosine-cubed", Cause::spot_falloff, 4u)}) {
+        std::tuple("spot-cosine-cubed", Cause::spot_falloff, 4u),
+        std::tuple("spot-powers-swapped", Cause::spot_falloff, 2u),
+        std::tuple("spot-from-axis", Cause::spot_falloff, 3u)}) {
     const GeneratedScene scene(seed);
     const SceneView view = view_of(scene);
     const CauseReport report =

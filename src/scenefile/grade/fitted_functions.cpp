@@ -28,6 +28,7 @@ struct Detail {
 constexpr Detail exact;
 constexpr Detail rough{96, 2, 0.4};
 constexpr std::size_t max_groups = 4;  // of lights or materials with the same function
+constexpr double jump = 1e-6;          // a function may jump between knots nearer than this
 constexpr double right_angle = std::numbers::pi / 2;
 
 // A function that several lights or materials share.
@@ -121,6 +122,9 @@ std::optional<FittedTerm> fitted(const Made& made, const std::vector<Group>& gro
     }
   }
   const std::size_t n = unknowns.size();
+  const auto knot = [&](std::size_t u) {
+    return groups[unknowns[u].first].knots[unknowns[u].second];
+  };
   const Colors none = drawn(groups.size(), {});
   std::vector<Colors> bases(n);
   for_each_task(n, [&](std::size_t u) {
@@ -186,7 +190,7 @@ std::optional<FittedTerm> fitted(const Made& made, const std::vector<Group>& gro
     const double stiffness = 1e-4 * trace / double(n);
     for (std::size_t u = 0; u < n; ++u) {
       a[u][u] += 1e-3 * stiffness;
-      if (u + 1 < n && unknowns[u].first == unknowns[u + 1].first) {
+      if (u + 1 < n && unknowns[u].first == unknowns[u + 1].first && knot(u + 1) > knot(u) + jump) {
         a[u][u] += stiffness;
         a[u + 1][u + 1] += stiffness;
         a[u + 1][u] -= stiffness;
@@ -224,7 +228,7 @@ std::vector<Group> groups_of_lights(
     bool (*has_function)(LightType), const std::function<Key(const RenderLight&)>& key_of,
     const std::function<double(const RenderLight&, const dvec3&)>& argument,
     const std::function<double(const Key&, double)>& written,
-    const std::function<std::vector<double>(std::vector<double>)>& knots) {
+    const std::function<std::vector<double>(const Key&, std::vector<double>)>& knots) {
   struct OfKey {
     Key key;
     std::string first_light;
@@ -249,7 +253,7 @@ std::vector<Group> groups_of_lights(
   }
   std::vector<Group> groups;
   for (OfKey& one : keys) {
-    groups.push_back({knots(std::move(one.arguments)),
+    groups.push_back({knots(one.key, std::move(one.arguments)),
                       [=, key = one.key](Trial& t, const Curve& curve) {
                         (t.mistakes.*member).emplace_back(key, curve);
                       },
@@ -269,7 +273,7 @@ std::vector<Group> groups_of_fading(const Made& made) {
       [](const glm::vec3& coefficients, double distance) {
         return faded(coefficients, distance, AttenuationMistake::none);
       },
-      [&](std::vector<double> distances) {
+      [&](const glm::vec3& /*coefficients*/, std::vector<double> distances) {
         return quantiles(std::move(distances), 16 / made.detail.knots_divided_by);
       });
 }
@@ -286,6 +290,36 @@ std::string words_of_fading(const Curve& c, const std::string& of_light) {
       of_light, c.at(near), near, std::max(0.0, c.at(far)), far);  // not -0.0001
 }
 
+// Knots where most falloffs change: in the penumbra, and two at each of its ends, where they may
+// jump. The others are spread evenly.
+std::vector<double> knots_of_cone(double inner, double outer, double least, double most,
+                                  const Detail& detail) {
+  const std::size_t in_penumbra = 12 / detail.knots_divided_by;
+  std::vector<double> knots;
+  const auto add = [&](double knot) {
+    if (knots.empty() || knot > knots.back()) {
+      knots.push_back(knot);
+    }
+  };
+  const std::vector<double> outside = evenly(least, most, 32 / detail.knots_divided_by);
+  for (const double knot : outside) {
+    if (knot < inner) {
+      add(knot);
+    }
+  }
+  add(inner);
+  for (std::size_t k = 0; k <= in_penumbra; ++k) {
+    add(std::max(inner + jump / 2, inner + (outer - inner) * double(k) / double(in_penumbra)));
+  }
+  add(outer + jump / 2);
+  for (const double knot : outside) {
+    if (knot > outer) {
+      add(knot);
+    }
+  }
+  return knots;
+}
+
 std::vector<Group> groups_of_cones(const Made& made) {
   return groups_of_lights<glm::vec2>(
       made, &ModelMistakes::cone, has_cone,
@@ -300,10 +334,9 @@ std::vector<Group> groups_of_cones(const Made& made) {
         light.outer_angle = angles.y;
         return spot_share(light, std::cos(angle), SpotMistake::none);
       },
-      [&](const std::vector<double>& angles) {
-        return evenly(*std::min_element(angles.begin(), angles.end()),
-                      *std::max_element(angles.begin(), angles.end()),
-                      32 / made.detail.knots_divided_by);
+      [&](const glm::vec2& limits, const std::vector<double>& angles) {
+        return knots_of_cone(limits.x, limits.y, *std::min_element(angles.begin(), angles.end()),
+                             *std::max_element(angles.begin(), angles.end()), made.detail);
       });
 }
 
@@ -483,8 +516,13 @@ std::vector<Hypothesis> fitted_functions(const Simulation& sim, const Combinatio
   }
   for (std::size_t k = 0; k < term_count; ++k) {
     const Term term = Term(k);
+    // It replaces any other falloff of spotlights.
+    const bool made_before =
+        term == Term::cones && std::any_of(made_too.begin(), made_too.end(), [&](std::uint16_t i) {
+          return sim.list[i].cause == Cause::spot_falloff;
+        });
     const std::optional<FittedTerm> fit =
-        only.value_or(term) == term ? fitted(made, term) : std::nullopt;
+        only.value_or(term) == term && !made_before ? fitted(made, term) : std::nullopt;
     std::string what = fit ? words_of(made, term, *fit) : std::string();
     if (!what.empty()) {
       list.push_back({cause_of(term),

@@ -1,6 +1,7 @@
 #include "scenefile/noise/judge_path.h"
 
 #include "path/full_room.h"
+#include "scenefile/noise/block_means.h"
 #include "scenefile/noise/linearize.h"
 #include "scenefile/path/path_kernel.h"
 #include "scenefile/path/render_path.h"
@@ -10,8 +11,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
+#include <utility>
 
 namespace scenefile {
 
@@ -29,6 +32,38 @@ Room plain_room() {
   model.box({-0.6f, 0, -0.6f}, {0.1f, 0.9f, 0}, false, model.material(diffuse({0.3f, 0.5f, 0.6f})));
   room.add(model);
   room.look({0, 1, 0.95}, {0, 1.1, 0}, 95);
+  return room;
+}
+
+// Of two lamps, with a glossy box.
+Room lamp_room() {
+  Room room;
+  Model model;
+  FaceMaterial shiny = diffuse({0.2f, 0.1f, 0.1f});
+  shiny.specular = glm::vec3(0.7f);
+  shiny.shininess = 8;
+  model.box({-1, 0, -1}, {1, 2, 1}, true, model.material(diffuse({0.5f, 0.5f, 0.6f})));
+  model.box({-0.5f, 0.02f, -0.9f}, {0.5f, 1.4f, -0.4f}, false, model.material(shiny));
+  model.quad({-0.7f, 1.98f, -0.6f}, {0.6f, 0, 0}, {0, 0, 0.6f},
+             model.material(diffuse(glm::vec3(0), {12, 8, 4})));
+  model.quad({0.4f, 1.98f, 0.2f}, {0.3f, 0, 0}, {0, 0, 0.4f},
+             model.material(diffuse(glm::vec3(0), {6, 10, 20})));
+  room.add(model);
+  room.look({0, 1, 0.95}, {0, 1.1, 0}, 95);
+  return room;
+}
+
+// Of a mirror and glass.
+Room specular_room() {
+  Room room = plain_room();
+  Model model;
+  FaceMaterial shiny = mirror({0.9f, 0.9f, 0.9f});
+  shiny.diffuse = glm::vec3(0.5f);
+  model.quad({0.9f, 0.2f, -0.9f}, {0, 0, 1.2f}, {0, 1.6f, 0}, model.material(shiny));
+  room.add(model);
+  Model ball;
+  ball.box({-0.1f, 1.2f, -0.4f}, {0.6f, 1.5f, 0.3f}, false, ball.material(glass(1.5f)));
+  room.add(ball);
   return room;
 }
 
@@ -57,8 +92,10 @@ struct Judge : ::testing::Test {
     return picture;
   }
   // By block the picture of the change itself.
-  DecodedPicture with(Change change, DecodedPicture picture) const {
-    const ChangedPicture& changed = truth.changes[static_cast<std::size_t>(change)];
+  DecodedPicture with(Change change, const DecodedPicture& picture) const {
+    return with(truth.changes[static_cast<std::size_t>(change)].sampled, picture);
+  }
+  DecodedPicture with(const BlockColors& sampled, DecodedPicture picture) const {
     for (int y = 0; y < 64; ++y) {
       for (int x = 0; x < 64; ++x) {
         const std::size_t block = std::size_t(y / block_side) * truth.columns + x / block_side;
@@ -67,10 +104,44 @@ struct Judge : ::testing::Test {
           right += kind.hit ? Color(0) : light[block];
         }
         for (int c = 0; c < 3; ++c) {
-          picture.linear.pixel(x, y)[c] *= static_cast<float>(changed.sampled[block][c] / right[c]);
+          picture.linear.pixel(x, y)[c] *= static_cast<float>(sampled[block][c] / right[c]);
         }
       }
     }
+    return picture;
+  }
+  // A picture of `other` instead, whose truth is drawn.
+  void move_to(const Room& other, std::uint32_t samples) {
+    room = other;
+    traced = TraceScene(room.scene, room.assets);
+    truth = {};
+    RenderOptions of_truth = options;
+    of_truth.seed = 99;
+    ASSERT_EQ(draw_truth(traced, room.scene, of_truth, 0, samples, {}, truth),
+              RenderStatus::complete);
+  }
+  // The mean of light(path, its light) over `samples` paths of each pixel.
+  template <typename Light>
+  DecodedPicture by_paths(std::uint32_t samples, const Light& light) {
+    options.mis = false;
+    const PathScene paths(traced, room.scene, options);
+    DecodedPicture picture;
+    picture.linear = Image(64, 64);
+    for (int y = 0; y < 64; ++y) {
+      for (int x = 0; x < 64; ++x) {
+        Color sum(0);
+        for (std::uint32_t i = 0; i < samples; ++i) {
+          RayCounts counts;
+          PathRecord path;
+          const Color whole = path_light(paths, x, y, i, counts, &path);
+          sum += light(path, whole) / double(samples);
+        }
+        for (int c = 0; c < 3; ++c) {
+          picture.linear.pixel(x, y)[c] = static_cast<float>(sum[c]);
+        }
+      }
+    }
+    picture.texture = quantize(picture.linear, Rounding::nearest);
     return picture;
   }
   // Values of 8 bits, by the course's curve, or the power 1 / `gamma` of clamped values.
@@ -589,6 +660,151 @@ TEST_F(Judge, ReadsToneMappedPicturesWithoutLamps) {
   const PathVerdict verdict = judge_path(truth, shown(drawn()));
   EXPECT_TRUE(verdict.right) << verdict.curve;
   EXPECT_EQ(names(verdict.causes) + names(verdict.partial), "");
+}
+
+// Another mistake than a factor of direct light must not bend the white.
+TEST_F(Judge, ReadsWrongPicturesWithoutLamps) {
+  Room lower = plain_room();
+  lower.look({0, 1, 0.95}, {0, 0.8, 0}, 80);
+  move_to(lower, 64);
+  for (const Change change : {Change::surface_cosine_twice, Change::falloff_cube}) {
+    DecodedPicture picture = with(change, drawn());
+    picture.linear.pixel(20, 20)[1] = 1.5f;  // the white, far from the others
+    const PathVerdict verdict = judge_path(truth, shown(picture));
+    EXPECT_EQ(verdict.curve, "the tone curve of the course");
+    EXPECT_EQ(names(verdict.causes),
+              change == Change::falloff_cube ? "distance " : "surface-cosine ");
+  }
+}
+
+TEST_F(Judge, NamesTonesOfSamples) {
+  constexpr std::array words{"limited to 1", "v / (1 + v)", "1 - exp(-v)"};
+  for (const SampleTone tone : {SampleTone::reinhard, SampleTone::film}) {
+    const DecodedPicture picture =
+        by_paths(64, [&](const PathRecord&, const Color& light) { return toned(tone, light); });
+    const PathVerdict verdict = judge_path(truth, shown(picture, 2.2));
+    ASSERT_EQ(names(verdict.causes), "toned-samples ") << int(tone);
+    EXPECT_THAT(verdict.causes[0].what, ::testing::HasSubstr(words[static_cast<int>(tone)]));
+  }
+}
+
+TEST_F(Judge, NamesValuesThatWrapAround) {
+  const DecodedPicture right = drawn();
+  for (const double scale : {255.0, 256.0}) {
+    DecodedPicture picture = shown(right, 2.2);
+    for (std::size_t i = 0; i < picture.texture.rgb.size(); ++i) {
+      const double value = std::pow(double(right.linear.rgb[i]), 1 / 2.2);
+      picture.texture.rgb[i] = static_cast<std::uint8_t>(static_cast<int>(scale * value) & 255);
+    }
+    EXPECT_EQ(names(judge_path(truth, picture).causes), "wrapped ") << scale;
+  }
+}
+
+TEST_F(Judge, NamesMistakesOfSeveralLampsAndOfTheGlossyLobe) {
+  options.samples = 64;
+  options.max_depth = 2;
+  move_to(lamp_room(), 128);
+  ASSERT_EQ(truth.lamp_samples.size(), 4);
+  const DecodedPicture picture = drawn();
+  constexpr std::array<std::pair<Change, const char*>, 11> rows{{
+      {Change::eye_cosine, "surface-cosine "},
+      {Change::lamp_cosine_of_surface, "lamp-cosine "},
+      {Change::lamp_area_divided, "lamp-area "},
+      {Change::lamp_area_of_first, "lamp-area "},
+      {Change::lamp_area_mean, "lamp-area "},
+      {Change::lamp_emission_of_first, "lamp-color "},
+      {Change::lamp_emission_of_last, "lamp-color "},
+      {Change::diffuse_without_pi, "pi "},
+      {Change::glossy_missing_direct, "glossy "},
+      {Change::glossy_flat_direct, "glossy "},
+      {Change::glossy_eye, "glossy "},
+  }};
+  for (const auto& [change, name] : rows) {
+    EXPECT_EQ(names(judge_path(truth, with(change, picture)).causes), name) << int(change);
+  }
+  BlockColors fewer = combined(truth.lamp_samples[0], 1, truth.lamp_samples[1]);
+  PathVerdict verdict = judge_path(truth, with(fewer, picture));
+  ASSERT_EQ(names(verdict.causes), "lamp-choice ");
+  EXPECT_THAT(verdict.causes[0].what, ::testing::HasSubstr("never on 2 of the 4"));
+  fewer = combined(combined(fewer, 0.4, truth.lamp_samples[2]), 0.4, truth.lamp_samples[3]);
+  EXPECT_EQ(names(judge_path(truth, with(fewer, picture)).partial), "lamp-factors ");
+}
+
+// A fitted factor near 1 is not said to be one.
+TEST_F(Judge, SaysNoFactorThatTakesTheRest) {
+  DecodedPicture picture = with(Change::lamp_cosine, drawn());
+  for (float& value : picture.linear.rgb) {
+    value *= value < 8 ? 1.07f : 1;  // all but the lamp
+  }
+  const PathVerdict verdict = judge_path(truth, picture);
+  ASSERT_EQ(verdict.partial.size(), 1);
+  EXPECT_THAT(verdict.partial[0].what, ::testing::HasSubstr("something else is wrong"));
+  EXPECT_THAT(verdict.partial[0].what, ::testing::Not(::testing::HasSubstr("factor")));
+}
+
+// Kinds of light do not describe a picture that they explain only in part.
+TEST_F(Judge, SaysNoFactorsOfLightThatLeaveMore) {
+  options.samples = 256;
+  const PathVerdict dark =
+      judge_path(truth, by_paths(256, [](const PathRecord& path, const Color&) {
+                   Color light(0);
+                   for (const PathVertex& v : path.vertices) {
+                     light += v.throughput * (v.emission + v.light);
+                     if (v.light == Color(0)) {
+                       break;
+                     }
+                   }
+                   return light;
+                 }));
+  EXPECT_EQ(names(dark.causes) + names(dark.partial), "");
+  EXPECT_TRUE(dark.places.empty());
+  EXPECT_TRUE(judge_path(truth, with(Change::falloff_none, drawn())).places.empty());
+}
+
+TEST_F(Judge, NamesMistakesOfMirrorsAndGlass) {
+  move_to(specular_room(), 128);
+  ASSERT_EQ(draw_variants(all_variants, room.scene, room.assets, options, 4, {}, truth),
+            RenderStatus::complete);
+  ASSERT_TRUE(truth.mirror && truth.glass);
+  const DecodedPicture picture = drawn();
+  EXPECT_EQ(names(judge_path(truth, picture).causes), "");
+  DecodedPicture clear = picture;
+  const BlockColors more =
+      combined(truth.changes[static_cast<std::size_t>(Change::glass_visibility)].sampled, -1,
+               TruthBlocks(truth).sampled);
+  for (std::size_t i = 0; i < clear.linear.rgb.size(); ++i) {
+    clear.linear.rgb[i] +=
+        static_cast<float>(more[block_of(truth, i / 3)][static_cast<int>(i % 3)]);
+  }
+  EXPECT_EQ(names(judge_path(truth, clear).causes), "visibility ");
+  const PathVerdict steps =
+      judge_path(truth, by_paths(128, [](const PathRecord& path, const Color&) {
+                   Color light(0);
+                   double factor = 1;
+                   for (const PathVertex& v : path.vertices) {
+                     light += factor * v.throughput * (v.emission + v.light);
+                     factor *= v.next.specular() ? 0.7 : 1;
+                   }
+                   return light;
+                 }));
+  EXPECT_EQ(names(steps.partial), "specular-factor ");
+  options.mis = false;
+  PathScene paths(traced, room.scene, options);
+  paths.shaded_mirrors = true;
+  DecodedPicture shaded = picture;
+  for (int y = 0; y < 64; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      Color sum(0);
+      for (std::uint32_t i = 0; i < 128; ++i) {
+        RayCounts counts;
+        sum += path_light(paths, x, y, i, counts) / 128.0;
+      }
+      for (int c = 0; c < 3; ++c) {
+        shaded.linear.pixel(x, y)[c] = static_cast<float>(sum[c]);
+      }
+    }
+  }
+  EXPECT_EQ(names(judge_path(truth, shaded).causes), "shaded-specular ");
 }
 
 TEST(Linearize, UndoesTheCoursesCurve) {

@@ -269,6 +269,20 @@ TEST_F(GradePaths, NoisyVariantsAreDrawnAgainAsByDiff) {
   EXPECT_TRUE(said);
 }
 
+// None of several mistakes that give the same picture stands alone.
+TEST_F(GradePaths, ACauseNamesThoseThatGiveTheSamePicture) {
+  PathVerdict verdict;
+  verdict.causes = {{Cause::scattering, "diffuse-color", "no Kd", "", 1},
+                    {Cause::path_length, "roulette", "wrong roulette", "", 1}};
+  PictureResult result;
+  set_result(verdict, result);
+  ASSERT_EQ(result.causes.size(), 1);
+  EXPECT_THAT(result.causes[0].what, ::testing::HasSubstr("no Kd; or wrong roulette"));
+  EXPECT_EQ(result.causes[0].alternatives.size(), 2);
+  ASSERT_EQ(result.rivals.size(), 1);
+  EXPECT_TRUE(result.rivals[0].said);
+}
+
 TEST_F(GradePaths, ThePixelsAroundOneAreComparedWithTheTruth) {
   hand_in("half.pfm", false, 0.5);
   const Result<DecodedPicture> mine = load_picture_file(path("half.pfm"));

@@ -30,6 +30,13 @@ inline glm::ivec2 middle_of(const PathTruth& truth, std::size_t b) {
           (top + std::min(top + block_side, truth.height)) / 2};
 }
 
+/// The block of a pixel.
+inline std::size_t block_of(const PathTruth& truth, std::size_t pixel) {
+  const std::size_t x = pixel % truth.width;
+  const std::size_t y = pixel / truth.width;
+  return y / block_side * truth.columns + x / block_side;
+}
+
 /// 0 without values.
 double median_of(std::vector<double> values);
 

@@ -25,9 +25,6 @@ constexpr double too_much_noise = 0.25;
 // The most that a right picture leaves, as a multiple of the variance of the noise.
 constexpr double most_of_right = 2;
 
-// How far the factor of a kind of light is off at least, to say that it is wrong.
-constexpr double least_off = 0.1;
-
 // Of the whole picture. Fewer blocks do not tell many mistakes apart: in a picture of 30, a wrong
 // one was named. Other rows, channels, views or curves have fewer rivals.
 constexpr std::size_t fewest_blocks = 32;
@@ -454,10 +451,11 @@ void explain(const TruthBlocks& back, const Reading& reading, PathVerdict& verdi
 void name_places(const Reading& reading, double chi2, PathVerdict& verdict) {
   const double n = reading.values();
   const double before = reading.right.fit.chi2;
-  const bool curve_fits = reading.screen.curve == ToneCurve::linear || chi2 < most_of_right * n;
+  const bool is_linear = reading.screen.curve == ToneCurve::linear;
+  const bool fits = chi2 < (is_linear ? max_noise : most_of_right) * n;
   const bool scale_is_known =
       !reading.any_exposure || (!verdict.places.empty() && verdict.places.front().factor == 1);
-  if (chi2 - n > most_left * (before - n) || !curve_fits || !scale_is_known) {
+  if (chi2 - n > most_left * (before - n) || !fits || !scale_is_known) {
     return;
   }
   const PathPlace* worst = nullptr;
@@ -481,13 +479,50 @@ void name_places(const Reading& reading, double chi2, PathVerdict& verdict) {
   }
 }
 
-void name_black_lamps(const Reading& reading, PathVerdict& verdict) {
+// Whether visible lamps have the bytes of values above 1 that wrap around.
+bool wraps_around(const TruthBlocks& back, const DecodedPicture& mine, const Reading& reading) {
+  constexpr std::size_t fewest = 12;
+  constexpr double rounding = 3;  // of bytes: the truth's noise counts, too
+  constexpr std::array<std::pair<double, double>, 3> ways{{{255, 0.5}, {255, 0}, {256, 0}}};
+  std::array<std::size_t, ways.size()> same{};
+  std::size_t count = 0;
+  double low = 256;
+  double high = 0;
+  for (const std::size_t at : lamp_pixels(back)) {
+    for (int c = 0; c < 3; ++c) {
+      const double shown = reading.screen.unclamped(reading.exposure * back.truth.pixels[at][c]);
+      if (shown < 1.05) {
+        continue;
+      }
+      const double byte = mine.texture.rgb[3 * at + c];
+      low = std::min(low, byte);
+      high = std::max(high, byte);
+      ++count;
+      for (std::size_t way = 0; way < ways.size(); ++way) {
+        const double expected = ways[way].first * shown + ways[way].second;
+        const double off = std::remainder(byte + 0.5 - expected, 256.0);
+        same[way] += std::abs(off) < rounding ? 1 : 0;
+      }
+    }
+  }
+  // One byte, as of a white lamp, may be that by chance.
+  return count >= fewest && high - low > 2 * rounding &&
+         static_cast<double>(*std::max_element(same.begin(), same.end())) >
+             0.9 * static_cast<double>(count);
+}
+
+void name_lamps(const TruthBlocks& back, const DecodedPicture& mine, const Reading& reading,
+                PathVerdict& verdict) {
+  const bool alone = verdict.causes.empty() && verdict.partial.empty();
+  std::vector<PathClaim>& list = alone ? verdict.causes : verdict.partial;
   const auto is_black = [](const PathClaim& claim) { return claim.page == Cause::black; };
-  if (reading.lamps && reading.lamps->is_black() &&
-      std::none_of(verdict.causes.begin(), verdict.causes.end(), is_black)) {
-    const bool alone = verdict.causes.empty() && verdict.partial.empty();
-    (alone ? verdict.causes : verdict.partial)
-        .push_back({Cause::path_length, "black-lamps",
+  if (!mine.is_linear() && reading.screen.clamps() && wraps_around(back, mine, reading)) {
+    list.push_back({Cause::overflow, "wrapped",
+                    "values above 1 wrap around: only their lowest 8 bits are kept",
+                    "visible lamps", 0});
+  } else if (reading.lamps && reading.lamps->is_black() &&
+             std::none_of(verdict.causes.begin(), verdict.causes.end(), is_black)) {
+    list.push_back({Cause::path_length, "black-lamps",
                     "lamps that the camera sees are black: emission is not added at the first hit",
                     factor_text(reading.lamps->value, reading.lamps->error), 0});
   }
@@ -804,7 +839,7 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
   }
   // In a picture that nothing explains, something else may be where lamps should be.
   if (light_is_known || other_curve) {
-    name_black_lamps(reading, verdict);
+    name_lamps(back, mine, reading, verdict);
   }
   const bool explained_by_convention = !verdict.conventions.empty();
   const std::vector<const BlockColors*> shifts = gradients(back, reading.seen.measured);
@@ -843,6 +878,10 @@ PathVerdict judge_path(const PathTruth& truth, const DecodedPicture& mine) {
     } else {
       verdict.right = shown < most_of_right && (explained_by_convention || verdict.largest < limit);
     }
+  }
+  // Factors of kinds of light that leave more do not describe the picture.
+  if (chi2 >= max_noise * reading.values()) {
+    verdict.places.clear();
   }
   return verdict;
 }

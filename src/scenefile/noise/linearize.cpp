@@ -91,6 +91,21 @@ std::string ScreenCurve::words() const {
   return "values from 0 to 1";
 }
 
+bool ScreenCurve::clamps() const {
+  return curve == ToneCurve::power || curve == ToneCurve::srgb || curve == ToneCurve::clamp;
+}
+
+double ScreenCurve::unclamped(double value) const {
+  switch (curve) {
+    case ToneCurve::power:
+      return std::pow(value, 1 / parameter);
+    case ToneCurve::srgb:
+      return value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1 / 2.4) - 0.055;
+    default:
+      return value;
+  }
+}
+
 LinearPicture linearized(const DecodedPicture& picture, const ScreenCurve& screen) {
   LinearPicture result;
   const bool floats = picture.is_linear();

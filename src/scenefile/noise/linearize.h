@@ -34,6 +34,10 @@ struct ScreenCurve {
   double parameter = 1;
 
   std::string words() const;
+  /// Whether values above 1 are clamped instead of compressed.
+  bool clamps() const;
+  /// The value for the screen of such a curve before it is clamped.
+  double unclamped(double value) const;
 };
 
 /// Linear values. `usable`: false for pixels that are clipped or not finite.

@@ -119,6 +119,32 @@ std::vector<Meaning> meanings_of_scattering(double p, double error, bool any_dir
   return found;
 }
 
+// What factors of the light samples of each triangle can mean.
+Meaning meaning_of_lamps(const PathModel& m, bool& general) {
+  const std::size_t count = m.free.size();
+  std::vector<std::string> factors;
+  std::vector<std::string> never;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double f = m.fit.factors[i];
+    const double error = m.fit.errors[i];
+    factors.push_back(fmt::format("{:.2f}", f));
+    if (std::abs(f) < std::max(0.03, 3 * error)) {
+      never.push_back(std::to_string(i + 1));
+    } else if (!is_number(f, error, 1)) {
+      general = true;
+    }
+  }
+  general = general || never.empty() || never.size() == count;
+  if (general) {
+    return {m.page, "lamp-factors",
+            fmt::format("light samples have the factors {} by triangle of the lamps",
+                        fmt::join(factors, ", "))};
+  }
+  return {m.page, "lamp-choice",
+          fmt::format("light samples are never on {} of the {} triangles of lamps: number {}",
+                      never.size(), count, fmt::join(never, ", "))};
+}
+
 }  // namespace
 
 std::vector<Meaning> meanings(const PathTruth& truth, const PathModel& m,
@@ -166,6 +192,9 @@ std::vector<Meaning> meanings(const PathTruth& truth, const PathModel& m,
              fmt::format("light samples have the factors {:.3f}, {:.3f} and {:.3f} for red, green "
                          "and blue",
                          f, m.fit.factors[1], m.fit.factors[2])}};
+  }
+  if (m.name == "lamps") {
+    return {meaning_of_lamps(m, general)};
   }
   if (m.name == "direct-and-scattered" || m.name == "direct-and-bounce") {
     const bool scattered = m.name == "direct-and-scattered";
@@ -220,11 +249,12 @@ std::vector<Meaning> meanings(const PathTruth& truth, const PathModel& m,
     }
     return found;
   }
-  if (m.name == "glass-step") {
+  if (m.name == "glass-step" || m.name == "specular-step") {
+    const bool glass = m.name == "glass-step";
     general = true;
-    return {
-        {m.page, "glass-factor",
-         fmt::format("light has the factor {:.3f} for each reflection or refraction by glass", p)}};
+    return {{m.page, glass ? "glass-factor" : "specular-factor",
+             fmt::format("light has the factor {:.3f} for each reflection or refraction by {}", p,
+                         glass ? "glass" : "mirrors and glass")}};
   }
   static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> places{
       {{"first-direct", "direct light, also in mirrors and glass,"},
@@ -248,7 +278,10 @@ std::vector<Meaning> meanings(const PathTruth& truth, const PathModel& m,
   }
   std::string what = m.what;
   if (!m.free.empty() && m.edits == 2) {
-    what += fmt::format(", and light samples have the factor {:.3f}", f);
+    // A factor near 1 need not be there: it takes what the mistake leaves.
+    what += std::abs(f - 1) > least_off
+                ? fmt::format(", and light samples have the factor {:.3f}", f)
+                : std::string("; and something else is wrong");
   }
   return {{m.page, m.name, what}};
 }

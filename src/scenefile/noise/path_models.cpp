@@ -38,10 +38,14 @@ constexpr std::array<ChangeRow, change_count> change_rows{{
      "light is not multiplied by the cosine at the surface"},
     {Change::surface_cosine_twice, ModelKind::mistake, Cause::scattering, "surface-cosine",
      "direct light is multiplied twice by the cosine at the surface"},
+    {Change::eye_cosine, ModelKind::mistake, Cause::scattering, "surface-cosine",
+     "direct light is multiplied by the cosine of the direction to the eye, not to the lamp"},
     {Change::lamp_cosine, ModelKind::mistake, Cause::light_samples, "lamp-cosine",
      "light of lamps is not multiplied by the cosine at the lamp"},
     {Change::lamp_cosine_twice, ModelKind::mistake, Cause::light_samples, "lamp-cosine",
      "light of lamps is multiplied twice by the cosine at the lamp"},
+    {Change::lamp_cosine_of_surface, ModelKind::mistake, Cause::light_samples, "lamp-cosine",
+     "the cosine at the lamp is computed with the normal of the surface"},
     {Change::falloff_distance, ModelKind::mistake, Cause::light_samples, "distance",
      "light of lamps is divided by the distance, not by its square"},
     {Change::falloff_none, ModelKind::mistake, Cause::light_samples, "distance",
@@ -50,6 +54,8 @@ constexpr std::array<ChangeRow, change_count> change_rows{{
      "light of lamps is divided by the third power of the distance"},
     {Change::no_visibility, ModelKind::mistake, Cause::light_samples, "visibility",
      "light samples are not tested for shadows"},
+    {Change::glass_visibility, ModelKind::mistake, Cause::light_samples, "visibility",
+     "shadow rays go through glass, which adds light to its caustics"},
     {Change::diffuse_missing_direct, ModelKind::mistake, Cause::scattering, "diffuse-color",
      "direct light is not multiplied by Kd"},
     {Change::diffuse_missing_indirect, ModelKind::mistake, Cause::scattering, "diffuse-color",
@@ -62,12 +68,24 @@ constexpr std::array<ChangeRow, change_count> change_rows{{
      "scattered light is multiplied twice by Kd"},
     {Change::diffuse_twice, ModelKind::mistake, Cause::scattering, "diffuse-color",
      "light is multiplied twice by Kd"},
+    {Change::diffuse_without_pi, ModelKind::mistake, Cause::scattering, "pi",
+     "Kd is not divided by pi"},
     {Change::glossy_scale, ModelKind::mistake, Cause::scattering, "glossy",
      "the glossy lobe is not multiplied by (Ns + 2) / 2 pi"},
     {Change::glossy_missing, ModelKind::mistake, Cause::scattering, "glossy",
      "the glossy lobe is missing"},
+    {Change::glossy_missing_direct, ModelKind::mistake, Cause::scattering, "glossy",
+     "the glossy lobe is missing in direct light"},
+    {Change::glossy_missing_indirect, ModelKind::mistake, Cause::scattering, "glossy",
+     "the glossy lobe is missing in scattered light"},
+    {Change::glossy_flat, ModelKind::mistake, Cause::scattering, "glossy",
+     "the glossy lobe is not multiplied by the cosine at the surface"},
+    {Change::glossy_flat_direct, ModelKind::mistake, Cause::scattering, "glossy",
+     "the glossy lobe of direct light is not multiplied by the cosine at the surface"},
     {Change::glossy_blinn, ModelKind::mistake, Cause::scattering, "glossy",
      "the glossy lobe uses the half vector (Blinn) instead of the mirror direction (Phong)"},
+    {Change::glossy_eye, ModelKind::mistake, Cause::scattering, "glossy",
+     "the glossy lobe is around the direction to the eye instead of the mirror direction"},
     {Change::lobe_alone, ModelKind::convention, Cause::scattering, "lobe-alone",
      "materials whose Ks is larger than Kd have the glossy lobe alone"},
     {Change::uniform_density, ModelKind::mistake, Cause::scattering, "direction-density",
@@ -95,8 +113,18 @@ constexpr std::array<ChangeRow, change_count> change_rows{{
      "points on the triangles of lamps are not uniform: three random numbers divided by their sum"},
     {Change::lamp_area, ModelKind::mistake, Cause::light_samples, "lamp-area",
      "light samples are not multiplied by the area of the triangle"},
+    {Change::lamp_area_divided, ModelKind::mistake, Cause::light_samples, "lamp-area",
+     "light samples are divided by the area of the triangle instead of multiplied"},
+    {Change::lamp_area_of_first, ModelKind::mistake, Cause::light_samples, "lamp-area",
+     "light samples are multiplied by the area of the first triangle, whichever they are on"},
+    {Change::lamp_area_mean, ModelKind::mistake, Cause::light_samples, "lamp-area",
+     "light samples are multiplied by the mean area of triangles, whichever they are on"},
     {Change::lamp_emission, ModelKind::mistake, Cause::light_samples, "lamp-color",
      "light samples are not multiplied by Ke, the emission of the lamp"},
+    {Change::lamp_emission_of_first, ModelKind::mistake, Cause::light_samples, "lamp-color",
+     "light samples have the Ke of the first lamp, whichever they are on"},
+    {Change::lamp_emission_of_last, ModelKind::mistake, Cause::light_samples, "lamp-color",
+     "light samples have the Ke of the last lamp, whichever they are on"},
     {Change::first_lamp, ModelKind::mistake, Cause::light_samples, "lamp-choice",
      "only one triangle of the lamps is sampled"},
     {Change::last_lamp, ModelKind::mistake, Cause::light_samples, "lamp-choice",
@@ -115,6 +143,8 @@ constexpr std::array<ChangeRow, change_count> change_rows{{
      "the light of total internal reflection is missing"},
     {Change::schlick, ModelKind::convention, Cause::specular_paths, "schlick",
      "Schlick's approximation of Fresnel's equations"},
+    {Change::schlick_without_square, ModelKind::mistake, Cause::specular_paths, "fresnel",
+     "in Schlick's approximation, (n - 1) / (n + 1) is not squared"},
     {Change::mirror_cosine, ModelKind::mistake, Cause::specular_paths, "mirror-cosine",
      "mirrors multiply by the cosine"},
     {Change::mirror_without_color, ModelKind::convention, Cause::specular_paths,
@@ -378,7 +408,7 @@ PathModel ModelSearch::by_throughput(const std::vector<LooseThroughputs>& lights
   });
 }
 
-std::vector<PathModel> ModelSearch::models() const {
+std::vector<PathModel> ModelSearch::models(bool toned) const {
   constexpr auto lamps = Cause::light_samples;
   constexpr auto scattering = Cause::scattering;
   constexpr auto lengths = Cause::path_length;
@@ -416,6 +446,7 @@ std::vector<PathModel> ModelSearch::models() const {
   const auto rough = [](const LightKind& k) { return int(k.rough); };
   const auto bounces = [](const LightKind& k) { return k.bounces(); };
   const auto at_glass = [](const LightKind& k) { return int(k.glass); };
+  const auto at_specular = [](const LightKind& k) { return k.mirror + k.glass; };
   list.push_back(by_parameter(scattering, "scattered", rough, false));
   list.push_back(by_parameter(scattering, "direct-and-scattered", rough, true));
   list.push_back(by_parameter(lengths, "bounce", bounces, false));
@@ -431,6 +462,24 @@ std::vector<PathModel> ModelSearch::models() const {
   }
   if (back_.truth.glass) {
     list.push_back(by_parameter(specular, "glass-step", at_glass, false));
+  }
+  if (back_.truth.glass && back_.truth.mirror) {
+    list.push_back(by_parameter(specular, "specular-step", at_specular, false));
+  }
+  if (!back_.truth.lamp_samples.empty() && !any_exposure_) {
+    add({ModelKind::mistake, lamps, "lamps", "", lamp_and_hit, back_.truth.lamp_samples});
+  }
+  constexpr std::array<const char*, sample_tone_count> tone_words{
+      "samples are limited to 1 before their mean is taken",
+      "samples are mapped by v / (1 + v) before their mean is taken, not the mean",
+      "samples are mapped by 1 - exp(-v) before their mean is taken, not the mean"};
+  for (std::size_t t = 0; toned && t < sample_tone_count; ++t) {
+    add({ModelKind::mistake,
+         Cause::samples,
+         "toned-samples",
+         tone_words[t],
+         back_.truth.toned[t],
+         {}});
   }
   const auto part = [&](Cause page, const char* name, const auto& holds) {
     const BlockColors some = back_.sum(holds);
@@ -543,7 +592,13 @@ std::vector<PathModel> ModelSearch::models() const {
           "points on lamps are in parallelograms instead of triangles: u + v may be above 1"},
       VariantRow{Variant::all_bounces, ModelKind::mistake, Cause::path_length, "depth",
                  "light of more bounces is there than was asked for, as if directLightingOnly or "
-                 "the largest number of bounces had no effect"}};
+                 "the largest number of bounces had no effect"},
+      VariantRow{Variant::shaded_mirrors, ModelKind::mistake, Cause::specular_paths,
+                 "shaded-specular",
+                 "mirrors are also lit like other surfaces, as if a return were missing"},
+      VariantRow{Variant::shaded_glass, ModelKind::mistake, Cause::specular_paths,
+                 "shaded-specular",
+                 "glass is also lit like other surfaces, as if a return were missing"}};
   for (const VariantPicture& variant : back_.truth.variants) {
     const VariantRow& row = variant_rows[static_cast<std::size_t>(variant.variant)];
     add({row.kind,

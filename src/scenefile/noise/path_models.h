@@ -56,8 +56,8 @@ class ModelSearch {
 
   PathModel right() const;
 
-  /// All known mistakes and conventions, solved.
-  std::vector<PathModel> models() const;
+  /// All known mistakes and conventions, solved. `toned`: also tones of samples.
+  std::vector<PathModel> models(bool toned) const;
 
   /// The best pair of two models, as if each changed the light of a block by its own factor.
   std::optional<PathModel> pair(const std::vector<PathModel>& singles) const;

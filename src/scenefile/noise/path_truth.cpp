@@ -12,6 +12,7 @@
 #include <ctime>
 #include <deque>
 #include <numbers>
+#include <optional>
 
 namespace scenefile {
 
@@ -55,6 +56,11 @@ Reflectance reflectance_of(const PathPoint& point, const dvec3& to_light) {
           point.bsdf.glossy * lobe_of(glm::dot(mirrored, to_light), point.bsdf.shininess)};
 }
 
+// Whose glossy part is divided by the cosine, which the light is multiplied by.
+Color flat_glossy(const PathPoint& point, const dvec3& to_light, const Reflectance& r) {
+  return r.diffuse + r.glossy / std::max(1e-2, glm::dot(point.facing.normal, to_light));
+}
+
 // What both light samples and scattered directions change.
 void weigh_reflectance(const PathPoint& point, const dvec3& to_light, Weights& w) {
   const auto at = [&w](Change change) -> Color& { return w[static_cast<std::size_t>(change)]; };
@@ -63,6 +69,7 @@ void weigh_reflectance(const PathPoint& point, const dvec3& to_light, Weights& w
   const Color white = glm::sign(point.bsdf.diffuse) / pi;
   at(Change::diffuse_missing) *= quotient(white + r.glossy, all);
   at(Change::diffuse_twice) *= quotient(r.diffuse * point.bsdf.diffuse + r.glossy, all);
+  at(Change::diffuse_without_pi) *= quotient(r.diffuse * pi + r.glossy, all);
   if (point.bsdf.glossy == Color(0)) {
     return;
   }
@@ -70,9 +77,13 @@ void weigh_reflectance(const PathPoint& point, const dvec3& to_light, Weights& w
   at(Change::glossy_scale) *=
       quotient(r.diffuse + r.glossy * (2 * pi / (point.bsdf.shininess + 2)), all);
   at(Change::glossy_missing) *= quotient(r.diffuse, all);
+  at(Change::glossy_flat) *= quotient(flat_glossy(point, to_light, r), all);
   const double half = glm::dot(glm::normalize(f.to_eye + to_light), f.normal);
   at(Change::glossy_blinn) *=
       quotient(r.diffuse + point.bsdf.glossy * lobe_of(half, point.bsdf.shininess), all);
+  const double to_eye = glm::dot(f.to_eye, to_light);
+  at(Change::glossy_eye) *=
+      quotient(r.diffuse + point.bsdf.glossy * lobe_of(to_eye, point.bsdf.shininess), all);
   if (luminance(point.bsdf.glossy) > luminance(point.bsdf.diffuse)) {
     at(Change::lobe_alone) *= quotient(r.glossy, all);
   }
@@ -82,7 +93,27 @@ Color times(const Color& color, double by) {
   return color * by;
 }
 
-void weigh_sample(const PathPoint& point, const PathLight& light, const Lamps& lamps, Weights& w) {
+// What programs with a mistake may take for the numbers of a lamp.
+struct LampNumbers {
+  explicit LampNumbers(const Lamps& lamps) {
+    for (std::size_t i = 0; i < lamps.size(); ++i) {
+      areas.push_back(lamps.area(i));
+      mean_area += areas.back() / static_cast<double>(lamps.size());
+    }
+    if (!areas.empty()) {
+      first_emission = lamps.emission(0);
+      last_emission = lamps.emission(lamps.size() - 1);
+    }
+  }
+
+  std::vector<double> areas;  // by triangle
+  double mean_area = 0;
+  Color first_emission{0};
+  Color last_emission{0};
+};
+
+void weigh_sample(const PathPoint& point, const PathLight& light, const LampNumbers& lamps,
+                  Weights& w) {
   const auto at = [&w](Change change) -> Color& { return w[static_cast<std::size_t>(change)]; };
   const double cosine = std::max(1e-4, glm::dot(point.facing.normal, light.to_light));
   weigh_reflectance(point, light.to_light, w);
@@ -93,12 +124,16 @@ void weigh_sample(const PathPoint& point, const PathLight& light, const Lamps& l
   at(Change::surface_cosine_direct) /= cosine;
   at(Change::surface_cosine) /= cosine;
   at(Change::surface_cosine_twice) *= cosine;
+  at(Change::eye_cosine) *= glm::dot(point.facing.normal, point.facing.to_eye) / cosine;
+  at(Change::glossy_missing_direct) *= quotient(r.diffuse, r.sum());
+  at(Change::glossy_flat_direct) *= quotient(flat_glossy(point, light.to_light, r), r.sum());
   if (light.lamp == no_index) {
     return;
   }
   const double lamp_cosine = std::max(1e-4, light.lamp_cosine);
   at(Change::lamp_cosine) /= lamp_cosine;
   at(Change::lamp_cosine_twice) *= lamp_cosine;
+  at(Change::lamp_cosine_of_surface) *= cosine / lamp_cosine;
   at(Change::falloff_distance) *= light.distance;
   at(Change::falloff_none) *= light.distance * light.distance;
   at(Change::falloff_cube) /= light.distance;
@@ -110,10 +145,16 @@ void weigh_sample(const PathPoint& point, const PathLight& light, const Lamps& l
   at(Change::edge_points) /= std::max(1e-3, 2 * (1 - v));
   const double most = std::max({u, v, 1 - u - v});
   at(Change::normalized_points) /= 6 * most * most * most;
-  at(Change::lamp_area) /= lamps.area(light.lamp);
+  const double area = lamps.areas[light.lamp];
+  at(Change::lamp_area) /= area;
+  at(Change::lamp_area_divided) /= area * area;
+  at(Change::lamp_area_of_first) *= lamps.areas.front() / area;
+  at(Change::lamp_area_mean) *= lamps.mean_area / area;
   at(Change::lamp_emission) *= quotient(Color(1), light.emission);
+  at(Change::lamp_emission_of_first) *= quotient(lamps.first_emission, light.emission);
+  at(Change::lamp_emission_of_last) *= quotient(lamps.last_emission, light.emission);
   at(Change::first_lamp) *= light.lamp == 0 ? 1.0 : 0.0;
-  at(Change::last_lamp) *= light.lamp + 1 == lamps.size() ? 1.0 : 0.0;
+  at(Change::last_lamp) *= light.lamp + 1 == lamps.areas.size() ? 1.0 : 0.0;
 }
 
 void weigh_specular(const PathPoint& point, const BsdfSample& next, Weights& w) {
@@ -142,6 +183,8 @@ void weigh_specular(const PathPoint& point, const BsdfSample& next, Weights& w) 
   const double power = std::pow(1 - (point.facing.outside ? cosine : inside), 5);
   const double schlick = base * base + (1 - base * base) * power;
   at(Change::schlick) *= (reflects ? schlick : 1 - schlick) / share;
+  const double larger = std::abs(base) + (1 - std::abs(base)) * power;
+  at(Change::schlick_without_square) *= (reflects ? larger : 1 - larger) / share;
 }
 
 void weigh_rough(const PathPoint& point, const dvec3& direction, Weights& w) {
@@ -153,6 +196,7 @@ void weigh_rough(const PathPoint& point, const dvec3& direction, Weights& w) {
   at(Change::diffuse_missing_indirect) *= quotient(white + r.glossy, r.sum());
   at(Change::diffuse_twice_indirect) *=
       quotient(r.diffuse * point.bsdf.diffuse + r.glossy, r.sum());
+  at(Change::glossy_missing_indirect) *= quotient(r.diffuse, r.sum());
   at(Change::surface_cosine_indirect) /= cosine;
   at(Change::surface_cosine_indirect_twice) *= cosine;
   at(Change::surface_cosine) /= cosine;
@@ -198,12 +242,62 @@ struct BlockSums {
   std::array<Color, kind_count> kinds{};
   Weights sampled{};
   Weights hit{};
+  std::array<Color, sample_tone_count> toned{};
+  std::array<Color, most_lamp_triangles> lamps{};  // light samples
   bool glass = false;
   bool mirror = false;
   bool glossy = false;
 };
 
-void add_path(const PathRecord& path, const Lamps& lamps, BlockSums& sums) {
+// What a truth needs of its scene, besides the paths.
+struct TruthScene {
+  explicit TruthScene(const PathScene& scene);
+
+  // What arrives of a light sample if glass casts no shadows.
+  Color through_glass(const PathScene& scene, const PathPoint& point, const PathLight& light) const;
+
+  LampNumbers lamps;
+  std::optional<Transmission> clear_glass;  // none if the scene has no meshes that are all glass
+};
+
+TruthScene::TruthScene(const PathScene& scene) : lamps(scene.lamps) {
+  const std::vector<MeshMaterials>& meshes = scene.tracer.assets.mesh_materials;
+  const auto is_glass = [](const MeshMaterials& mesh) {
+    return !mesh.of_triangle.empty() &&
+           std::all_of(mesh.of_triangle.begin(), mesh.of_triangle.end(), [&](std::uint32_t m) {
+             return m != mesh_no_index && mesh.materials[m].illum == illum_glass;
+           });
+  };
+  std::vector<bool> opaque;
+  for (const MeshMaterials& mesh : meshes) {
+    opaque.push_back(!is_glass(mesh));
+  }
+  bool only_meshes = true;  // whose materials are those of faces
+  for (const RenderGroup& group : scene.tracer.scene.groups) {
+    for (const RenderPrimitive& primitive : group.primitives) {
+      only_meshes = only_meshes && primitive.mesh < meshes.size() &&
+                    !meshes[primitive.mesh].of_triangle.empty();
+    }
+  }
+  if (only_meshes && std::find(opaque.begin(), opaque.end(), false) != opaque.end()) {
+    clear_glass.emplace(std::vector<dvec3>(scene.tracer.scene.materials.size(), dvec3(1)),
+                        std::move(opaque));
+  }
+}
+
+Color TruthScene::through_glass(const PathScene& scene, const PathPoint& point,
+                                const PathLight& light) const {
+  if (!clear_glass || light.lamp == no_index || light.contribution != Color(0)) {
+    return light.contribution;
+  }
+  constexpr double before_light = 1 - 1e-9;
+  return light.unshadowed *
+         scene.tracer.accelerator.transmittance({point.position, light.to_light}, point.offset,
+                                                before_light * light.distance, *clear_glass);
+}
+
+void add_path(const PathRecord& path, const PathScene& scene, const TruthScene& facts,
+              BlockSums& sums) {
   LightKind kind;
   Weights along;
   along.fill(Color(1));
@@ -229,11 +323,17 @@ void add_path(const PathRecord& path, const Lamps& lamps, BlockSums& sums) {
       sums.kinds[index_of(kind)] += arrived;
       sums.sampled[static_cast<std::size_t>(Change::no_visibility)] +=
           v.throughput * light.unshadowed;
+      sums.sampled[static_cast<std::size_t>(Change::glass_visibility)] +=
+          v.throughput * facts.through_glass(scene, v.point, light);
+      if (light.lamp < most_lamp_triangles) {
+        sums.lamps[light.lamp] += arrived;
+      }
       if (arrived != Color(0)) {
         Weights here = along;
-        weigh_sample(v.point, light, lamps, here);
+        weigh_sample(v.point, light, facts.lamps, here);
         for (std::size_t c = 0; c < change_count; ++c) {
-          if (c != static_cast<std::size_t>(Change::no_visibility)) {
+          if (c != static_cast<std::size_t>(Change::no_visibility) &&
+              c != static_cast<std::size_t>(Change::glass_visibility)) {
             sums.sampled[c] += here[c] * arrived;
           }
         }
@@ -318,8 +418,8 @@ struct Totals {
   std::vector<Color> pixel_squares;
 };
 
-void draw_block(const PathScene& scene, std::uint32_t pass, std::size_t block,
-                const PathTruth& truth, Totals& totals, RayCounts& counts) {
+void draw_block(const PathScene& scene, const TruthScene& facts, std::uint32_t pass,
+                std::size_t block, const PathTruth& truth, Totals& totals, RayCounts& counts) {
   PathRecord path;
   Color sum(0);
   BlockSums& sums = totals.blocks[block];
@@ -339,7 +439,10 @@ void draw_block(const PathScene& scene, std::uint32_t pass, std::size_t block,
       sum += light;
       totals.pixels[pixel] += light;
       totals.pixel_squares[pixel] += light * light;
-      add_path(path, scene.lamps, sums);
+      for (std::size_t t = 0; t < sample_tone_count; ++t) {
+        sums.toned[t] += toned(static_cast<SampleTone>(t), light);
+      }
+      add_path(path, scene, facts, sums);
     }
   });
   totals.sums[pass % sequences][block] += sum;
@@ -363,6 +466,11 @@ void set_means(const PathScene& scene, const Totals& totals, PathTruth& truth) {
                  (totals.pixel_squares[i] / n - truth.pixels[i] * truth.pixels[i]) * (n / (n - 1)));
   }
   truth.noise.resize(truth.blocks());
+  for (BlockColors& picture : truth.toned) {
+    picture.resize(truth.blocks());
+  }
+  const bool few_lamps = scene.lamps.size() > 1 && scene.lamps.size() <= most_lamp_triangles;
+  truth.lamp_samples.assign(few_lamps ? scene.lamps.size() : 0, BlockColors(truth.blocks()));
   for (ChangedPicture& changed : truth.changes) {
     changed.sampled.resize(truth.blocks());
     changed.hit.resize(truth.blocks());
@@ -396,6 +504,12 @@ void set_means(const PathScene& scene, const Totals& totals, PathTruth& truth) {
       changed.hit[b] = sums.hit[c] / all;
       changed.noise[b] = variance(sums.sampled[c] + sums.hit[c],
                                   [&](std::size_t i) { return totals.changed[i][b][c]; });
+    }
+    for (std::size_t t = 0; t < sample_tone_count; ++t) {
+      truth.toned[t][b] = sums.toned[t] / all;
+    }
+    for (std::size_t i = 0; i < truth.lamp_samples.size(); ++i) {
+      truth.lamp_samples[i][b] = sums.lamps[i] / all;
     }
     truth.glass = truth.glass || sums.glass;
     truth.mirror = truth.mirror || sums.mirror;
@@ -492,6 +606,10 @@ bool change(Variant variant, const PathTruth& truth, RenderScene& scene, Assets&
       options.direct_only = false;
       options.max_depth = 0;
       return changed;
+    case Variant::shaded_mirrors:
+      return truth.mirror;  // likewise
+    case Variant::shaded_glass:
+      return truth.glass;
   }
   return false;
 }
@@ -545,6 +663,18 @@ VariantPicture draw_variant(Variant variant, const std::deque<PathScene>& scenes
 
 }  // namespace
 
+Color toned(SampleTone tone, const Color& value) {
+  switch (tone) {
+    case SampleTone::clamp:
+      return glm::min(value, Color(1));
+    case SampleTone::reinhard:
+      return value / (1.0 + value);
+    case SampleTone::film:
+      return 1.0 - glm::exp(-value);
+  }
+  return value;
+}
+
 RenderStatus draw_truth(const TraceScene& traced, const RenderScene& scene,
                         const RenderOptions& options, double seconds, std::uint32_t samples,
                         const Progress& progress, PathTruth& truth) {
@@ -553,6 +683,7 @@ RenderStatus draw_truth(const TraceScene& traced, const RenderScene& scene,
   }
   const std::deque<PathScene> scenes = scenes_of(traced, scene, options);
   const PathScene& paths = scenes.front();
+  const TruthScene facts(paths);
   truth.width = options.width;
   truth.height = options.height;
   truth.height_angle = scene.camera.fov_y;
@@ -571,7 +702,7 @@ RenderStatus draw_truth(const TraceScene& traced, const RenderScene& scene,
     for_each_task(truth.blocks(), [&](std::size_t block) {
       RayCounts counts;
       if (!paths.tracer.accelerator.overwhelmed()) {
-        draw_block(scenes[passes % sequences], passes, block, truth, totals, counts);
+        draw_block(scenes[passes % sequences], facts, passes, block, truth, totals, counts);
       }
     });
     if (paths.tracer.accelerator.overwhelmed()) {
@@ -710,6 +841,8 @@ RenderStatus draw_variants(std::span<const Variant> variants, const RenderScene&
     std::deque<PathScene> scenes = scenes_of(traced, changed.scene, changed.options);
     for (PathScene& paths : scenes) {
       paths.always_enters = changed.variant == Variant::always_enters;
+      paths.shaded_mirrors = changed.variant == Variant::shaded_mirrors;
+      paths.shaded_glass = changed.variant == Variant::shaded_glass;
       if (changed.variant == Variant::lamp_parallelograms) {
         paths.lamps.cover_parallelograms();
       }

@@ -44,21 +44,30 @@ enum class Change : std::uint8_t {
   surface_cosine_indirect_twice,
   surface_cosine,
   surface_cosine_twice,
+  eye_cosine,
   lamp_cosine,
   lamp_cosine_twice,
+  lamp_cosine_of_surface,
   falloff_distance,
   falloff_none,
   falloff_cube,
   no_visibility,
+  glass_visibility,
   diffuse_missing_direct,
   diffuse_missing_indirect,
   diffuse_missing,
   diffuse_twice_direct,
   diffuse_twice_indirect,
   diffuse_twice,
+  diffuse_without_pi,
   glossy_scale,
   glossy_missing,
+  glossy_missing_direct,
+  glossy_missing_indirect,
+  glossy_flat,
+  glossy_flat_direct,
   glossy_blinn,
+  glossy_eye,
   lobe_alone,
   uniform_density,
   cosine_density,
@@ -72,7 +81,12 @@ enum class Change : std::uint8_t {
   edge_points,
   normalized_points,
   lamp_area,
+  lamp_area_divided,
+  lamp_area_of_first,
+  lamp_area_mean,
   lamp_emission,
+  lamp_emission_of_first,
+  lamp_emission_of_last,
   first_lamp,
   last_lamp,
   fresnel_twice,
@@ -82,6 +96,7 @@ enum class Change : std::uint8_t {
   swapped_fresnel,
   no_total_reflection,
   schlick,
+  schlick_without_square,
   mirror_cosine,
   mirror_without_color,
 };
@@ -103,17 +118,27 @@ enum class Variant : std::uint8_t {
   always_enters,
   flat_normals,
   lamp_parallelograms,
-  all_bounces
+  all_bounces,
+  shaded_mirrors,
+  shaded_glass
 };
 inline constexpr std::array all_variants{Variant::two_sided_lamps,     Variant::inverted_index,
                                          Variant::always_enters,       Variant::flat_normals,
-                                         Variant::lamp_parallelograms, Variant::all_bounces};
+                                         Variant::lamp_parallelograms, Variant::all_bounces,
+                                         Variant::shaded_mirrors,      Variant::shaded_glass};
 
 struct VariantPicture {
   Variant variant = Variant::two_sided_lamps;
   BlockColors picture;
   BlockColors noise;  ///< the variance of its difference from the truth, measured
 };
+
+/// What programs may do to each sample of a pixel before they take the mean, each value by itself.
+enum class SampleTone : std::uint8_t { clamp, reinhard, film };
+inline constexpr std::size_t sample_tone_count = static_cast<std::size_t>(SampleTone::film) + 1;
+
+/// min(v, 1), v / (1 + v) or 1 - exp(-v).
+Color toned(SampleTone tone, const Color& value);
 
 /// Light of programs whose throughput is not the product of the factors of all directions, by the
 /// number of bounces before it, as if no path ended by chance.
@@ -142,6 +167,8 @@ struct PathPool {
   std::array<std::vector<std::vector<PathStep>>, 2> paths;
 };
 
+inline constexpr std::size_t most_lamp_triangles = 8;  ///< of PathTruth::lamp_samples
+
 /// Means; variances are those of means over `samples`.
 struct PathTruth {
   int width = 0;  ///< pixels
@@ -155,6 +182,10 @@ struct PathTruth {
   std::map<LightKind, BlockColors> kinds;
   std::vector<BlockColors> first_passes;  ///< sums of the first 1, 2, 4, 8, ... passes
   std::array<ChangedPicture, change_count> changes;
+  std::array<BlockColors, sample_tone_count> toned;  ///< the picture, of samples with that tone
+  /// Light samples by triangle of the lamps; empty if there are more than `most_lamp_triangles`, or
+  /// only one.
+  std::vector<BlockColors> lamp_samples;
   /// Of independent paths, with directions by the BSDF, and uniform ones, as programs sample them.
   std::array<std::vector<LooseThroughputs>, 2> throughputs;
   std::vector<VariantPicture> variants;  ///< those that the scene can have

@@ -36,7 +36,9 @@ double typical_factor(const TruthBlocks& back, const LinearPicture& picture) {
 }
 
 void add_models(const TruthBlocks& back, Reading& reading) {
-  reading.models = ModelSearch(back, reading.seen, reading.any_exposure).models();
+  // Under the other curves, samples would have a tone as well as the picture.
+  const bool toned = reading.screen.curve == ToneCurve::linear || reading.screen.clamps();
+  reading.models = ModelSearch(back, reading.seen, reading.any_exposure).models(toned);
   std::sort(reading.models.begin(), reading.models.end(),
             [](const PathModel& a, const PathModel& b) { return a.score() < b.score(); });
 }
@@ -78,8 +80,19 @@ std::optional<LampFactor> lamp_factor(const TruthBlocks& back, const LinearPictu
       weights += weight;
     }
   }
+  std::vector<double> brightest;  // of a pixel's channels
+  for (const std::size_t at : pixels) {
+    const std::size_t b = block_of(back.truth, at);
+    double most = 0;
+    for (int c = 0; c < 3; ++c) {
+      const double reflected = back.all[b][c] - back.lamp[b][c];
+      most = std::max(most, picture.pixels[at][c] / std::max(1e-9, reflected));
+    }
+    brightest.push_back(most);
+  }
   return weights > 0 ? std::optional<LampFactor>(
-                           {sum / weights, std::sqrt(of_programs * of_programs + 1 / weights)})
+                           {sum / weights, std::sqrt(of_programs * of_programs + 1 / weights),
+                            median_of(std::move(brightest))})
                      : std::nullopt;
 }
 
@@ -124,6 +137,35 @@ double fitted_white(const TruthBlocks& back, const DecodedPicture& mine, ToneCur
       least = reading.cost();
       best = white;
     }
+  }
+  return best;
+}
+
+// The same with the best explanations: those that are not factors of direct light bend the white.
+double refitted_white(const TruthBlocks& back, const DecodedPicture& mine, const Reading& before) {
+  constexpr std::size_t few = 4;
+  const std::size_t count = std::min(few, before.models.size());
+  double best = before.screen.parameter;
+  double least = 1e300;
+  double step = 1.1;
+  for (int round = 0; round < 2; ++round) {
+    const double middle = best;
+    for (int i = -10; i <= 10; ++i) {
+      const double white = middle * std::pow(step, i);
+      Reading reading = read_as(back, mine, {before.screen.curve, white}, before.any_exposure);
+      const ModelSearch search(back, reading.seen, before.any_exposure);
+      reading.models.assign(before.models.begin(),
+                            before.models.begin() + static_cast<std::ptrdiff_t>(count));
+      for (PathModel& m : reading.models) {
+        m.noise.clear();  // of another factor
+        search.solve(m);
+      }
+      if (reading.cost() < least) {
+        least = reading.cost();
+        best = white;
+      }
+    }
+    step = 1.01;
   }
   return best;
 }
@@ -297,7 +339,7 @@ std::vector<std::size_t> lamp_pixels(const TruthBlocks& back) {
   const PathTruth& t = back.truth;
   std::vector<std::size_t> pixels;
   for (std::size_t at = 0; at < t.pixels.size(); ++at) {
-    const std::size_t block = at / t.width / block_side * t.columns + at % t.width / block_side;
+    const std::size_t block = block_of(t, at);
     const double bright = luminance(t.pixels[at]);
     constexpr double varied = 0.05;  // the most by which its samples differ
     if (luminance(back.lamp[block]) > 0 && bright > 0 &&
@@ -388,6 +430,13 @@ std::vector<Reading> readings_of(const TruthBlocks& back, const DecodedPicture& 
     if (mine.is_linear() ||
         (!is_mostly_clipped(back, reading) && (!any_exposure || has_exposure(reading)))) {
       add_models(back, reading);
+      const bool has_white =
+          screen.curve == ToneCurve::course || screen.curve == ToneCurve::compressed;
+      if (has_white && reading.differs() && !white_by_lamps(back, mine, screen.curve)) {
+        const double white = refitted_white(back, mine, reading);
+        reading = read_as(back, mine, {screen.curve, white}, any_exposure);
+        add_models(back, reading);
+      }
       list.push_back(std::move(reading));
     }
   };

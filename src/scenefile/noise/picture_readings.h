@@ -20,12 +20,17 @@ inline constexpr double most_left = 0.15;
 /// the noise is what programs with the same mistake do differently.
 inline constexpr double max_noise = 3;
 
+/// How far the factor of a kind of light is off at least, to say that it is wrong.
+inline constexpr double least_off = 0.1;
+
 /// The factor of lamps that the camera sees.
 struct LampFactor {
   double value = 1;
-  double error = 0;  ///< standard error, by rounding and differences of programs
+  double error = 0;             ///< standard error, by rounding and differences of programs
+  double beyond_reflected = 0;  ///< the largest factor of a channel over what lamps reflect there
 
-  bool is_black() const { return value < 0.03; }
+  /// A dark color of a bright lamp may be rounded to nothing, so each of them counts.
+  bool is_black() const { return value < 0.03 && beyond_reflected < 2; }
 };
 
 /// One way to linearize the picture, and what the search found then.

@@ -232,6 +232,10 @@ LampPoint Lamps::sample(glm::dvec2 point) const {
   return point_on(chosen, parallelograms_ ? point : in_triangle(point));
 }
 
+Color Lamps::emission(std::size_t triangle) const {
+  return point_on(static_cast<std::uint32_t>(triangle), glm::dvec2(1 / 3.0)).emission;
+}
+
 LampPoint Lamps::point_on(std::uint32_t chosen, const glm::dvec2& weights) const {
   const Triangle& triangle = triangles_[chosen];
   const Place& place = places_[triangle.place];

@@ -73,6 +73,8 @@ class Lamps {
   std::size_t size() const { return triangles_.size(); }
   /// The area of a triangle in world space.
   double area(std::size_t triangle) const { return areas_[triangle]; }
+  /// The radiance in the middle of a triangle.
+  Color emission(std::size_t triangle) const;
   /// `point` is uniform in the unit square.
   LampPoint sample(glm::dvec2 point) const;
   /// The lamp that is seen at this point, which was sampled, by a ray of unit length; its density

@@ -78,7 +78,8 @@ class Path {
       }
       const glm::dvec2 choice = use(PathUse::lobe);
       const auto scatter = scene_.uniform_directions ? sample_uniformly : sample;
-      const BsdfSample next = scatter(point.bsdf, point.facing, choice.x, use(PathUse::direction));
+      const BsdfSample next =
+          scatter(scattering(point), point.facing, choice.x, use(PathUse::direction));
       if (vertex_ != nullptr) {
         vertex_->next = next;
       }
@@ -112,6 +113,16 @@ class Path {
  private:
   glm::dvec2 use(PathUse use, int part = 0, int parts = 1, std::uint32_t index = 0) const {
     return points_(use, bounce_, part, parts, index);
+  }
+
+  // Shaded mirrors and glass scatter nothing else.
+  Bsdf scattering(const PathPoint& point) const {
+    Bsdf bsdf = point.bsdf;
+    if ((scene_.shaded_mirrors || scene_.shaded_glass) && point.material != mesh_no_index &&
+        bsdf.mirror + bsdf.glass != Color(0)) {
+      bsdf.diffuse = bsdf.glossy = Color(0);
+    }
+    return bsdf;
   }
 
   bool course() const { return options_.convention == Convention::course; }

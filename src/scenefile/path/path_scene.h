@@ -20,6 +20,9 @@ struct PathScene {
   // As in programs with a mistake; see noise/path_truth.h.
   bool uniform_directions = false;  ///< not by the BSDF
   bool always_enters = false;       ///< glass refracts each ray as if it came from outside
+  /// Mirrors, or glass, of `.mtl` files are also lit by light samples, with Kd and Ks.
+  bool shaded_mirrors = false;
+  bool shaded_glass = false;
 };
 
 /// `ray`: of unit length. If a lamp shines there, but something else at this place was hit, `hit`

@@ -50,18 +50,21 @@ const FaceMaterial* face_material(const Assets& assets, const Hit& hit, std::uin
   return index == mesh_no_index ? nullptr : &mesh.materials[index];
 }
 
-Bsdf bsdf_of(const Tracer& tracer, const FaceMaterial& material, const glm::dvec2& uv) {
+Bsdf bsdf_of(const PathScene& scene, const FaceMaterial& material, const glm::dvec2& uv) {
+  const Tracer& tracer = scene.tracer;
   Bsdf bsdf;
   bsdf.shininess = material.shininess;
   bsdf.ior = material.ior;
-  if (material.illum == illum_glass) {
-    bsdf.glass = Color(1);
+  const bool is_glass = material.illum == illum_glass;
+  const bool is_mirror = material.illum == illum_mirror;
+  bsdf.glass = Color(is_glass ? 1 : 0);
+  if (is_glass && !scene.shaded_glass) {
     return bsdf;
   }
   const Color specular =
       Color(material.specular) * map_color(tracer.assets, material.specular_map, uv);
-  if (material.illum == illum_mirror) {
-    bsdf.mirror = specular;
+  bsdf.mirror = is_mirror ? specular : Color(0);
+  if (is_mirror && !scene.shaded_mirrors) {
     return bsdf;
   }
   bsdf.diffuse = Color(material.diffuse) * map_color(tracer.assets, material.diffuse_map, uv);
@@ -139,7 +142,7 @@ PathPoint path_point(const PathScene& scene, const Ray& ray, Hit& hit) {
     normal = bumped_normal(tracer, surface);
     point.bsdf = bsdf_of(tracer, surface);
   } else {
-    point.bsdf = bsdf_of(tracer, *material, surface.object.uv);
+    point.bsdf = bsdf_of(scene, *material, surface.object.uv);
     if (material->emission != glm::vec3(0) && glm::dot(surface.geometric, ray.direction) < 0) {
       point.emission = Color(material->emission) *
                        map_color(tracer.assets, material->emission_map, surface.object.uv);

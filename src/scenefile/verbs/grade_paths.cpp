@@ -2,6 +2,7 @@
 
 #include "scenefile/base/text.h"
 #include "scenefile/format/read_config.h"
+#include "scenefile/grade/claims.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/folder.h"
 #include "scenefile/verbs/compare_paths.h"
@@ -111,6 +112,14 @@ void set_result(const PathVerdict& v, PictureResult& result) {
   }
   for (const PathClaim& claim : v.causes) {
     (result.causes.empty() ? result.causes : result.rivals).push_back(claim_of(claim));
+  }
+  if (!result.rivals.empty()) {
+    std::vector<std::string> others;
+    for (Claim& rival : result.rivals) {
+      rival.said = true;
+      others.push_back(rival.what);
+    }
+    add_alternatives(result.causes.front(), others);
   }
   for (const PathClaim& claim : v.partial) {
     result.partial.push_back(claim_of(claim));

@@ -13,8 +13,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace scenefile {
 namespace {
@@ -80,6 +82,26 @@ struct Fixture {
     return student::draw_realtime(ready.scene, job);
   }
 
+  // What is claimed about a picture, and said in part or as a note, by line.
+  std::string said(const RealtimeOptions& panel, const Texture& test) const {
+    const CauseReport report = find_realtime_causes(right(panel), test, view(panel));
+    std::string words;
+    for (const auto* list : {&report.claims, &report.partial, &report.notes}) {
+      for (const Claim& claim : *list) {
+        words += claim.what + '\n';
+      }
+    }
+    return words;
+  }
+
+  // The right picture of another scene.
+  template <typename Change>
+  Texture of_changed(const RealtimeOptions& panel, const Change& change) const {
+    RenderScene scene = ready.scene;
+    change(scene);
+    return view_test::software_realtime(scene, panel, width, height).picture;
+  }
+
   // The names of the causes, separated by commas.
   std::string named(const RealtimeOptions& panel, const std::string& mistake) const {
     const CauseReport report =
@@ -109,6 +131,30 @@ TEST(RealtimeCauses, NamesMistakes) {
         std::pair("specular-blinn", "blinn"), std::pair("picture-upside-down", "vertical-flip")}) {
     EXPECT_EQ(fixture.named(panel, mistake), cause) << mistake;
   }
+}
+
+TEST(RealtimeCauses, NamesMistakesOfOneShape) {
+  const Fixture fixture;
+  const RealtimeOptions panel = panel_of(Milestone::action);
+  for (const auto& [mistake, words] :
+       {std::pair("spheres-twice", "spheres are twice as large as they should be"),
+        std::pair("sphere-normals-inward", "normals of spheres point inward"),
+        std::pair("cylinder-no-top", "cylinders have no top cap"),
+        std::pair("cone-level", "normals of cones are horizontal, like those of cylinders")}) {
+    EXPECT_THAT(fixture.said(panel, fixture.student(panel, mistake)), HasSubstr(words)) << mistake;
+  }
+}
+
+// Axes of a view matrix act the other way than those that rays are made of.
+TEST(RealtimeCauses, AxesOfTheCameraAreRowsOfTheViewMatrix) {
+  const Fixture fixture;
+  const RealtimeOptions panel = panel_of(Milestone::action);
+  const Texture test = fixture.of_changed(panel, [](RenderScene& scene) {
+    scene.camera.u = glm::cross(glm::dvec3(0, 1, 0), scene.camera.w);
+    scene.camera.v = glm::cross(scene.camera.w, scene.camera.u);
+  });
+  EXPECT_EQ(fixture.said(panel, test),
+            "the camera's right axis is not normalized, and up is computed from it\n");
 }
 
 // The pixel that is asked for, drawn with the mistakes, is that of the picture.

@@ -45,11 +45,15 @@ constexpr KnownMistake mistakes[] = {
     {"cone-tip-up", "normals", "normals"},
     {"cone-level", "normals", "shapes"},
     {"cone-half-slope", "normals", "shapes"},
+    {"sphere-normals-inward", "normals", "shapes"},
+    {"cube-normals-like-sphere", "normals", "shapes"},
     {"no-culling", "culling", "culling"},
     {"front-culled", "culling", "culling"},
     {"caps-inside-out", "culling", "culling|shapes"},
     {"cones-inside-out", "culling", "culling"},
     {"cylinder-no-caps", "shapes", "shapes|culling"},
+    {"cylinder-no-top", "shapes", "shapes|culling"},
+    {"spheres-twice", "shapes", "shapes"},
     {"cone-no-cap", "shapes", "shapes|culling"},
     {"no-depth-test", "depth", "nearest-hit"},
     {"depth-reversed", "depth", "nearest-hit"},
@@ -259,6 +263,7 @@ class Program {
     }
     wedges_ = std::max(3, p2);
     const int rows = std::max(1, p1);
+    const float outward = is("sphere-normals-inward") ? -1.0f : 1.0f;
     const int rings = std::max(2, p1) + (is("sphere-rows-plus-one") ? 1 : 0);
     side(
         buffers_[int(Shape::sphere)], rings,
@@ -268,9 +273,9 @@ class Program {
                                                     std::cos(pi * float(i) / float(rings)));
         },
         [&](int i) {
-          return i == 0 || i == rings ? vec2(0, i == 0 ? 1 : -1)
-                                      : vec2(std::sin(pi * float(i) / float(rings)),
-                                             std::cos(pi * float(i) / float(rings)));
+          return outward * (i == 0 || i == rings ? vec2(0, i == 0 ? 1 : -1)
+                                                 : vec2(std::sin(pi * float(i) / float(rings)),
+                                                        std::cos(pi * float(i) / float(rings))));
         },
         false);
     side(
@@ -278,7 +283,9 @@ class Program {
         [&](int i) { return vec2(0.5f, 0.5f - float(i) / float(rows)); },
         [](int) { return vec2(1, 0); }, false);
     if (!is("cylinder-no-caps")) {
-      cap(buffers_[int(Shape::cylinder)], rows, 0.5f);
+      if (!is("cylinder-no-top")) {
+        cap(buffers_[int(Shape::cylinder)], rows, 0.5f);
+      }
       cap(buffers_[int(Shape::cylinder)], rows, -0.5f);
     }
     const float slope = is("cone-level") ? 0.0f : is("cone-half-slope") ? 0.5f : 1.0f;
@@ -294,9 +301,9 @@ class Program {
       const vec3 up = n.y == 0 ? vec3(0, 1, 0) : vec3(0, 0, -n.y);
       const vec3 right = glm::cross(up, n);
       const auto at = [&](int row, int column) {
-        return Vertex{0.5f * n + (float(column) / float(rows) - 0.5f) * right +
-                          (0.5f - float(row) / float(rows)) * up,
-                      n};
+        const vec3 position = 0.5f * n + (float(column) / float(rows) - 0.5f) * right +
+                              (0.5f - float(row) / float(rows)) * up;
+        return Vertex{position, is("cube-normals-like-sphere") ? glm::normalize(position) : n};
       };
       for (int i = 0; i < rows; ++i) {
         for (int j = 0; j < rows; ++j) {
@@ -324,7 +331,9 @@ class Program {
         if (is("cones-inside-out") && Shape(index) == Shape::cone) {
           std::swap(buffer[i + 1], buffer[i + 2]);
         }
-        for (std::size_t k = 0; k < 3 && is("radius-one"); ++k) {
+        const bool twice =
+            is("radius-one") || (is("spheres-twice") && Shape(index) == Shape::sphere);
+        for (std::size_t k = 0; k < 3 && twice; ++k) {
           buffer[i + k].position *= 2.0f;
         }
       }

@@ -78,7 +78,9 @@ class Search {
       report_.claims.push_back(*std::move(undrawn));
       return report_;
     }
-    list_ = realtime_hypotheses(view_, drawn_.right().scene.scene, test_.width, test_.height);
+    lit_ = *view_.scene;
+    drawn_.keep_lights(lit_);
+    list_ = realtime_hypotheses(view_, lit_, test_.width, test_.height);
     add_fitted();
     listed_ = list_.size();
     if (pixels.different.size() >= few_pixels) {
@@ -104,7 +106,7 @@ class Search {
   RealtimeTrial trial_of(const Combination& mistakes) const {
     RealtimeTrial trial = drawn_.right();
     if (stage_of(mistakes) == RealtimeStage::shapes) {
-      trial.scene.scene = *view_.scene;
+      trial.scene.scene = lit_;
       apply(mistakes, trial, true);
       drawn_.keep_lights(trial.scene.scene);
     }
@@ -589,6 +591,7 @@ class Search {
   const RealtimeView& view_;
   const std::function<bool(double)>& go_on_;
   const RealtimeDrawn drawn_;
+  RenderScene lit_;  // with the lights of the milestone
   std::shared_ptr<const Visibility> clean_;
   std::vector<RealtimeHypothesis> list_;
   std::size_t listed_ = 0;         // size of list_ without curves, which depend on the points

@@ -315,7 +315,8 @@ bool texture_missing_on(Shape shape, int face, UvMistake mistake) {
           (shape == Shape::cylinder || shape == Shape::cone));
 }
 
-// A normal as long as the gradient of the shape's equation.
+}  // namespace
+
 dvec3 shape_normal(Shape shape, int face, const dvec3& p, ConeNormalMistake cone, bool caps_down,
                    ShapeMistake mistake) {
   if (mistake == ShapeMistake::like_sphere && shape != Shape::mesh) {
@@ -375,6 +376,8 @@ dvec3 shape_normal(Shape shape, int face, const dvec3& p, ConeNormalMistake cone
   }
   return sign * dvec3(2 * p.x, slope, 2 * p.z);
 }
+
+namespace {
 
 dvec3 to_world(const ModelPart& part, const dvec3& raw, bool flat, NormalMistake mistake) {
   // Programs that normalize nothing use points, half as long as gradients, or gradients.

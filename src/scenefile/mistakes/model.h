@@ -90,6 +90,10 @@ struct ShownPoint {
   std::uint32_t material = 0;
 };
 
+/// The normal in object space at a position on a face (ModelHit::face), as long as the gradient of
+/// the shape's equation.
+glm::dvec3 shape_normal(Shape shape, int face, const glm::dvec3& position, ConeNormalMistake cone,
+                        bool caps_down, ShapeMistake mistake);
 /// A normal of unit length in object space, in world space; its length is not 1, see
 /// keeps_length().
 glm::dvec3 transformed_normal(const ModelPart& part, const glm::dvec3& normal,

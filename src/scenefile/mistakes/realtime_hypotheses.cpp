@@ -66,9 +66,17 @@ class Maker {
     list_.push_back({cause, std::move(what), stage, std::move(draw), {}, {}});
   }
 
-  bool any_round() const {
-    return std::any_of(round_shapes.begin(), round_shapes.end(),
-                       [&](Shape s) { return shapes_.contains(s); });
+  // Says of the last one that it is another way of drawing.
+  void is_allowed() {
+    list_.back().what += " (not a mistake by itself)";
+    list_.back().mistake = false;
+  }
+
+  // Of the shapes with curved sides, or meshes.
+  std::size_t curved_count() const {
+    return static_cast<std::size_t>(std::count_if(round_shapes.begin(), round_shapes.end(),
+                                                  [&](Shape s) { return shapes_.contains(s); })) +
+           shapes_.count(Shape::mesh);
   }
 
   // ---- the finished picture ------------------------------------------------------------------
@@ -316,23 +324,27 @@ class Maker {
     if (view_.panel.milestone == Milestone::action) {
       add_frame(
           "the scene fills the picture; in the reference the viewport is smaller than the "
-          "frame (not a mistake by itself)",
+          "frame",
           {window, window, {}});
+      is_allowed();
       add_frame(
           "the scene fills the picture, with its aspect ratio; in the reference the viewport "
-          "is smaller than the frame (not a mistake by itself)",
+          "is smaller than the frame",
           {picture_, picture_, of_picture});
+      is_allowed();
       add_frame(
           "the scene fills the picture; the frame is as large as the picture, not as the "
-          "window (not a mistake by itself)",
+          "window",
           {picture_, picture_, {}});
+      is_allowed();
       add_frame("the camera has the aspect ratio of the picture, not that of the window",
                 {{}, {}, of_picture});
     } else {
       add_frame(fmt::format("the camera has the aspect ratio of the picture, {}:{}, and that of "
-                            "the reference has that of its window (not a mistake by itself)",
+                            "the reference has that of its window",
                             width_, height_),
                 {{}, {}, of_picture});
+      is_allowed();
       add_frame("the viewport is smaller than the frame: the scene is at the lower left",
                 {picture_, window, {}});
     }
@@ -377,7 +389,7 @@ class Maker {
   }
 
   void add_tessellations() {
-    if (!any_round()) {
+    if (curved_count() == shapes_.count(Shape::mesh)) {
       return;
     }
     const TessellationParameters right = view_.panel.tessellation;
@@ -401,10 +413,8 @@ class Maker {
         continue;
       }
       const std::string whose = plural(shape) + " are";
-      if (shape == Shape::sphere) {
+      if (curved_count() > 1) {
         add_parameters(whose, {b, a}, "the two are swapped", shape);
-      }
-      if (shapes_.size() > 1 || shape == Shape::sphere) {
         add_parameters(whose, {a + 1, b}, "off by one", shape);
         add_parameters(whose, {a - 1, b}, "off by one", shape);
         add_parameters(whose, {a, b + 1}, "off by one", shape);
@@ -428,6 +438,7 @@ class Maker {
     turned("wedges follow each other from the -x axis toward -z, clockwise", 2, false, true);
     add_mesh(Cause::tessellation, "quads are split along their other diagonal",
              &MeshMistakes::other_diagonal);
+    is_allowed();
     add_mesh(Cause::tessellation, "the last wedge is missing", &MeshMistakes::seam_missing);
     add_mesh(Cause::tessellation, "the lowest row of quads is missing",
              &MeshMistakes::last_row_missing);
@@ -460,7 +471,7 @@ class Maker {
         Cause::facets,
         "shapes have flat facets: each triangle has one normal, instead of interpolated normals",
         I::flat);
-    if (shapes_.size() > 1) {
+    if (curved_count() > 1) {
       for (const Shape shape : round_shapes) {
         if (shapes_.contains(shape)) {
           add_interpolation(
@@ -659,13 +670,23 @@ class Maker {
     return false;
   }
 
+  // Whether the mistake is one in the equations of shapes, which meshes do not have.
+  static bool is_of_equations(const Hypothesis& h) {
+    if (h.cause != Cause::shapes || h.stage == Stage::shapes) {
+      return false;
+    }
+    Trial trial;
+    h.draw(trial);
+    return !occurs_in_meshes(trial.mistakes.shape);
+  }
+
   // Mistakes of ray tracers that also occur in OpenGL programs.
   void add_common() {
     RenderOptions options;
     options.features = {false, false, false, false, false, false, false};
     const SceneView view{&lit_, view_.assets, options, view_.written, {}, {}, {}, 1, view_.sources};
     for (Hypothesis& h : drawing_hypotheses(view, window_.width, window_.height)) {
-      if (!is_for_realtime(h)) {
+      if (!is_for_realtime(h) || is_of_equations(h)) {
         continue;
       }
       RealtimeStage stage = RealtimeStage::shading;
@@ -681,7 +702,7 @@ class Maker {
           stage = RealtimeStage::shapes;
           break;
       }
-      // Normals of caps and cones are mistakes of the mesh.
+      // Normals of shapes are mistakes of the mesh.
       if (h.cause == Cause::shapes && stage == RealtimeStage::shading) {
         stage = RealtimeStage::raster;
       }
@@ -689,6 +710,7 @@ class Maker {
         h.what = "shapes are placed by the inverse of their matrix";
       }
       add(h.cause, h.what, stage, [draw = h.draw](RealtimeTrial& t) { draw(t.scene); });
+      list_.back().mistake = h.mistake;
     }
   }
 

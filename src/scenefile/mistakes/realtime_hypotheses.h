@@ -25,10 +25,11 @@ struct RealtimeHypothesis {
   std::function<void(RealtimeTrial&)> draw;
   Turn turn;
   std::function<glm::dvec3(const glm::dvec3&)> color;  ///< empty: unchanged
+  bool mistake = true;  ///< false: another way of drawing, which programs may choose
 };
 
 /// The mistakes that can affect this scene. Of two that look alike, the more common one comes
-/// first. `lit`: the view's scene with only the lights of its milestone.
+/// first. `lit`: the view's scene with only the lights of its milestone; must outlive them.
 std::vector<RealtimeHypothesis> realtime_hypotheses(const RealtimeView& view,
                                                     const RenderScene& lit, int width, int height);
 

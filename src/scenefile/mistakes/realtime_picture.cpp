@@ -31,23 +31,50 @@ double to_byte(double value) {
 
 // ---- shapes ----------------------------------------------------------------------------------
 
-// The normal of a cap is along the axis.
-bool is_cap(Shape shape, const Mesh& mesh, std::size_t triangle) {
-  if (shape != Shape::cylinder && shape != Shape::cone) {
-    return false;
+// The face of a triangle, as ModelHit::face: all of its normals are along one axis.
+int face_of(Shape shape, const Mesh& mesh, std::size_t triangle) {
+  for (int axis = 0; axis < 3 && shape != Shape::sphere; ++axis) {
+    const auto& corners = mesh.triangle_normals[triangle];
+    const bool along = std::all_of(corners.begin(), corners.end(), [&](std::uint32_t n) {
+      return std::abs(std::abs(mesh.normals[n][axis]) - 1) < 1e-6f;
+    });
+    if (along && shape == Shape::cube) {
+      return 2 * axis + (mesh.normals[corners[0]][axis] > 0 ? 1 : 2);
+    }
+    if (along && axis == 1) {  // of caps
+      return mesh.normals[corners[0]].y > 0 ? 1 : 2;
+    }
   }
-  const auto& corners = mesh.triangle_normals[triangle];
-  return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t n) {
-    return std::abs(std::abs(mesh.normals[n].y) - 1) < 1e-6f;
-  });
+  return 0;
 }
 
-// Splits quads, which are two triangles in sequence, along their other diagonal.
-void split_otherwise(Mesh& mesh) {
+// Whether a student's shapes lack the face.
+bool lacks_face(Shape shape, int face, const ModelMistakes& m) {
+  if (shape == Shape::cube) {
+    return face == m.missing_face;
+  }
+  const bool top = face == 1;
+  return face != 0 &&
+         ((shape == Shape::cylinder ? m.no_cylinder_caps : m.no_cone_cap) ||
+          (top && m.shape == ShapeMistake::no_top_cap) ||
+          (!top && m.shape == ShapeMistake::no_bottom_cap) ||
+          (!top && m.shape == ShapeMistake::no_cylinder_bottom && shape == Shape::cylinder));
+}
+
+// Splits quads, which are two triangles in sequence, along their other diagonal. Triangles at a
+// pole follow each other, too, but their corners are not on two circles.
+void split_otherwise(Shape shape, Mesh& mesh) {
+  const auto on_one_circle = [&](std::uint32_t a, std::uint32_t b) {
+    const glm::vec3& p = mesh.positions[a];
+    const glm::vec3& q = mesh.positions[b];
+    return std::abs(p.y - q.y) < 1e-6f &&
+           std::abs(std::hypot(p.x, p.z) - std::hypot(q.x, q.z)) < 1e-6f;
+  };
   for (std::size_t i = 0; i + 1 < mesh.triangles.size(); ++i) {
     auto& first = mesh.triangles[i];
     auto& second = mesh.triangles[i + 1];
-    if (first[0] == second[0] && first[2] == second[1]) {
+    if (first[0] == second[0] && first[2] == second[1] &&
+        (shape == Shape::cube || on_one_circle(first[0], second[2]))) {
       auto& first_normals = mesh.triangle_normals[i];
       auto& second_normals = mesh.triangle_normals[i + 1];
       // (a, b, c), (a, c, d) become (a, b, d), (b, c, d).
@@ -119,7 +146,7 @@ void change_cone(Mesh& mesh, const RealtimeTrial& trial) {
   }
   const std::vector<glm::vec3> right = mesh.normals;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    if (is_cap(Shape::cone, mesh, i)) {
+    if (face_of(Shape::cone, mesh, i) != 0) {
       continue;
     }
     const auto before = mesh.triangle_normals[i];
@@ -137,6 +164,22 @@ void change_cone(Mesh& mesh, const RealtimeTrial& trial) {
   }
 }
 
+// The normal of a corner with the mistake, or `right`. All normals at a cone's tip are at the same
+// position, so those of its side are changed, not computed.
+glm::vec3 corner_normal(Shape shape, int face, const glm::vec3& right, const glm::vec3& position,
+                        const ModelMistakes& m) {
+  if (m.shape == ShapeMistake::none && !m.cap_normals_down) {
+    return right;
+  }
+  if (shape == Shape::cone && face == 0 && m.shape != ShapeMistake::like_sphere) {
+    const bool inward = m.shape == ShapeMistake::cone_normals_inward ||
+                        m.shape == ShapeMistake::side_normals_inward;
+    return inward ? -right : right;
+  }
+  return unit(
+      shape_normal(shape, face, dvec3(position), m.cone_normal, m.cap_normals_down, m.shape));
+}
+
 Mesh student_mesh(Shape shape, const RealtimeTrial& trial) {
   const TessellationParameters parameters =
       trial.tessellation[static_cast<std::size_t>(shape)].value_or(trial.panel.tessellation);
@@ -144,7 +187,7 @@ Mesh student_mesh(Shape shape, const RealtimeTrial& trial) {
   const MeshMistakes& m = trial.mesh;
   const ModelMistakes& common = trial.scene.mistakes;
   if (m.other_diagonal) {
-    split_otherwise(mesh);
+    split_otherwise(shape, mesh);
   }
   if (m.quarter_turns != 0 || m.half_wedge || m.clockwise) {
     const int wedges = std::max(3, parameters.parameter2);
@@ -155,8 +198,6 @@ Mesh student_mesh(Shape shape, const RealtimeTrial& trial) {
   if (shape == Shape::cone) {
     change_cone(mesh, trial);
   }
-  const bool no_cap = (shape == Shape::cylinder && common.no_cylinder_caps) ||
-                      (shape == Shape::cone && common.no_cone_cap);
   const auto index = static_cast<std::size_t>(shape);
   const int wedges = std::max(3, parameters.parameter2);
   const int rows = std::max(shape == Shape::sphere ? 2 : 1, parameters.parameter1);
@@ -164,7 +205,8 @@ Mesh student_mesh(Shape shape, const RealtimeTrial& trial) {
   kept.triangles.clear();
   kept.triangle_normals.clear();
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const bool cap = is_cap(shape, mesh, i);
+    const int face = face_of(shape, mesh, i);
+    const bool cap = face != 0 && shape != Shape::cube;
     std::array<std::uint32_t, 3> corners = mesh.triangles[i];
     std::array<std::uint32_t, 3> normals = mesh.triangle_normals[i];
     const glm::vec3 center =
@@ -178,17 +220,21 @@ Mesh student_mesh(Shape shape, const RealtimeTrial& trial) {
             ? std::acos(std::clamp(double(center.y) / glm::length(dvec3(center)), -1.0, 1.0)) >
                   pi * (rows - 1.0) / rows
             : shape != Shape::cube && !cap && center.y < -0.5f + 1.0f / float(rows);
-    if ((cap && no_cap) || (m.seam_missing && last_wedge) || (m.last_row_missing && last_row)) {
+    if (lacks_face(shape, face, common) || (m.seam_missing && last_wedge) ||
+        (m.last_row_missing && last_row)) {
       continue;
     }
     if (cap ? trial.inside_out.caps[index] : trial.inside_out.sides[index]) {
       std::swap(corners[1], corners[2]);
       std::swap(normals[1], normals[2]);
     }
-    if (cap && common.cap_normals_down) {
-      for (std::uint32_t& n : normals) {
-        kept.normals.push_back(-mesh.normals[n]);
-        n = static_cast<std::uint32_t>(kept.normals.size() - 1);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::vec3 right = mesh.normals[normals[k]];
+      const glm::vec3 normal =
+          corner_normal(shape, face, right, mesh.positions[corners[k]], common);
+      if (normal != right) {
+        kept.normals.push_back(normal);
+        normals[k] = static_cast<std::uint32_t>(kept.normals.size() - 1);
       }
     }
     kept.triangles.push_back(corners);
@@ -204,13 +250,16 @@ Mesh student_mesh(Shape shape, const RealtimeTrial& trial) {
 
 // ---- rasterization ---------------------------------------------------------------------------
 
-// Coordinates along the camera's axes, which need not be perpendicular: right, up, depth.
+// Right, up and depth. As in a view matrix, whose rows are the camera's axes, these need not be
+// perpendicular or of unit length.
 struct CameraAxes {
   dvec3 position;
-  glm::dmat3 inverse;
+  glm::dmat3 view;
   explicit CameraAxes(const RenderCamera& c)
-      : position(c.position), inverse(glm::inverse(glm::dmat3(c.u, c.v, -c.w))) {}
-  dvec3 of(const dvec3& world) const { return inverse * (world - position); }
+      : position(c.position), view(glm::transpose(glm::dmat3(c.u, c.v, -c.w))) {}
+  dvec3 of(const dvec3& world) const { return view * (world - position); }
+  // The direction with these coordinates, in world space.
+  dvec3 along(const dvec3& coordinates) const { return glm::inverse(view) * coordinates; }
 };
 
 struct Corner {
@@ -409,6 +458,43 @@ class Rasterizer {
 
 }  // namespace
 
+bool occurs_in_meshes(ShapeMistake mistake) {
+  switch (mistake) {
+    case ShapeMistake::none:
+    case ShapeMistake::no_top_cap:
+    case ShapeMistake::no_bottom_cap:
+    case ShapeMistake::no_cylinder_bottom:
+    case ShapeMistake::cylinder_normal_like_sphere:
+    case ShapeMistake::cube_normals_positive:
+    case ShapeMistake::cap_normals_up:
+    case ShapeMistake::cap_normals_like_side:
+    case ShapeMistake::sphere_normals_by_matrix:
+    case ShapeMistake::like_sphere:
+    case ShapeMistake::cube_normals_like_sphere:
+    case ShapeMistake::sphere_normals_inward:
+    case ShapeMistake::cube_normals_inward:
+    case ShapeMistake::cylinder_normals_inward:
+    case ShapeMistake::cone_normals_inward:
+    case ShapeMistake::side_normals_inward:
+      return true;
+    case ShapeMistake::square_caps:
+    case ShapeMistake::endless_cylinder:
+    case ShapeMistake::endless_cone:
+    case ShapeMistake::double_cone:
+    case ShapeMistake::deep_cone:
+    case ShapeMistake::endless:
+    case ShapeMistake::caps_square_half:
+    case ShapeMistake::cylinder_square_half:
+    case ShapeMistake::cylinder_sides_wide:
+    case ShapeMistake::roots_doubled:
+    case ShapeMistake::precedence:
+    case ShapeMistake::wide_caps:
+    case ShapeMistake::wide_cone:
+      return false;
+  }
+  return false;
+}
+
 FilterSteps steps_of(Filter filter) {
   FilterSteps steps;
   switch (filter) {
@@ -536,7 +622,7 @@ dvec3 RealtimePicture::weights_at(int x, int y, const std::array<dvec3, 3>& corn
   const double tan_y = std::tan(camera.fov_y / 2);
   const double right = ((x + 0.5) / visible_->viewport_width * 2 - 1) * tan_y * visible_->aspect;
   const double up = ((y + 0.5) / visible_->viewport_height * 2 - 1) * tan_y;
-  const dvec3 direction = right * camera.u + up * camera.v - camera.w;
+  const dvec3 direction = CameraAxes(camera).along({right, up, 1});
   const dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
   const double slope = glm::dot(normal, direction);
   const double t = glm::dot(normal, corners[0] - camera.position) / slope;
@@ -576,7 +662,10 @@ dvec3 RealtimePicture::normal_of(const ModelPart& part, const Mesh& mesh, std::u
   } else {
     in_object = unit(dvec3(mesh.normals[known]));
   }
-  return transformed_normal(part, in_object, trial_.scene.mistakes.normals);
+  const ModelMistakes& m = trial_.scene.mistakes;
+  const bool by_matrix =
+      part.shape == Shape::sphere && m.shape == ShapeMistake::sphere_normals_by_matrix;
+  return transformed_normal(part, in_object, by_matrix ? NormalMistake::by_matrix : m.normals);
 }
 
 bool RealtimePicture::normalizes() const {

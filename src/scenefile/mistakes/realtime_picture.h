@@ -98,6 +98,9 @@ struct RealtimeTrial {
   FrameMistakes frame;
 };
 
+/// Whether meshes can have the mistake; others are in the equations of shapes.
+bool occurs_in_meshes(ShapeMistake mistake);
+
 /// The shapes of a scene in world space, shared by all its pictures.
 struct RealtimeShapes {
   std::vector<ModelPart> parts;

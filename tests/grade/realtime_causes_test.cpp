@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -83,8 +84,11 @@ struct Fixture {
   }
 
   // What is claimed about a picture, and said in part or as a note, by line.
-  std::string said(const RealtimeOptions& panel, const Texture& test) const {
-    const CauseReport report = find_realtime_causes(right(panel), test, view(panel));
+  std::string said(const RealtimeOptions& panel, const Texture& test,
+                   const std::vector<float>& noise = {}) const {
+    RealtimeView scene = view(panel);
+    scene.noise = noise;
+    const CauseReport report = find_realtime_causes(right(panel), test, scene);
     std::string words;
     for (const auto* list : {&report.claims, &report.partial, &report.notes}) {
       for (const Claim& claim : *list) {
@@ -155,6 +159,72 @@ TEST(RealtimeCauses, AxesOfTheCameraAreRowsOfTheViewMatrix) {
   });
   EXPECT_EQ(fixture.said(panel, test),
             "the camera's right axis is not normalized, and up is computed from it\n");
+}
+
+TEST(RealtimeCauses, AWeakTermIsNotAMissingOne) {
+  const Fixture fixture;
+  const RealtimeOptions panel = panel_of(Milestone::action);
+  const auto with = [&](float specular) {
+    return fixture.said(panel, fixture.of_changed(panel, [&](RenderScene& scene) {
+      scene.global.specular = specular;
+    }));
+  };
+  EXPECT_THAT(with(0), HasSubstr("the specular term is missing"));
+  EXPECT_EQ(with(0.05F), "");
+}
+
+TEST(RealtimeCauses, OneMistakeIsNotTwo) {
+  const Fixture fixture;
+  const RealtimeOptions panel = panel_of(Milestone::action);
+  Texture test = fixture.right(panel);
+  for (std::uint8_t& value : test.rgb) {
+    value = static_cast<std::uint8_t>(std::lround(0.3 * value));
+  }
+  EXPECT_EQ(fixture.said(panel, test), "the picture is 0.30 times as bright as it should be\n");
+}
+
+// Programs may split quads as they like. The other direction of wedges looks the same.
+TEST(RealtimeCauses, WhatProgramsMayChooseIsSaidFirst) {
+  const Fixture fixture;
+  const RealtimeOptions panel = panel_of(Milestone::action);
+  EXPECT_THAT(fixture.said(panel, fixture.student(panel, "other-diagonal")),
+              ::testing::StartsWith(
+                  "quads are split along their other diagonal (not a mistake by itself)"));
+}
+
+TEST(RealtimeCauses, OtherSamplesOfPixelsAreNotMistakes) {
+  const Fixture fixture;
+  const RealtimeOptions panel = panel_of(Milestone::lights_camera);
+  const Texture large =
+      view_test::software_realtime(fixture.ready.scene, panel, 2 * width, 2 * height).picture;
+  Texture test = fixture.right(panel);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        int sum = 2;
+        for (int k = 0; k < 4; ++k) {
+          sum += large.texel(2 * x + k % 2, 2 * y + k / 2)[c];
+        }
+        test.rgb[3 * (std::size_t(y) * width + std::size_t(x)) + std::size_t(c)] =
+            static_cast<std::uint8_t>(sum / 4);
+      }
+    }
+  }
+  EXPECT_EQ(fixture.said(panel, test), "");
+}
+
+// As those that compression as a JPEG changes much.
+TEST(RealtimeCauses, UncertainPixelsAreNotEvidence) {
+  const Fixture fixture;
+  const RealtimeOptions panel = panel_of(Milestone::action);
+  Texture test = fixture.student(panel, "sphere-normals-inward");
+  std::vector<float> noise(std::size_t(width) * height, 0);
+  for (std::size_t i = 0; i < noise.size(); i += 5) {
+    noise[i] = std::numeric_limits<float>::infinity();
+    test.rgb[3 * i] ^= 0x40;
+  }
+  EXPECT_EQ(fixture.said(panel, test), "");
+  EXPECT_EQ(fixture.said(panel, test, noise), "normals of spheres point inward\n");
 }
 
 // The pixel that is asked for, drawn with the mistakes, is that of the picture.

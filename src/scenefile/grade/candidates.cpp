@@ -53,6 +53,10 @@ bool only_refines_brightness(const Simulation& sim, const Tried& t) {
          });
 }
 
+double exactness(double rounding, bool fitted) {
+  return fitted ? 3 : std::max(1.6, rounding);
+}
+
 // Whether a color says much: black and full brightness have many causes.
 bool is_telling(const dvec3& color) {
   return largest_of(color) > 3 && std::min({color.x, color.y, color.z}) < 252;
@@ -60,65 +64,37 @@ bool is_telling(const dvec3& color) {
 
 // Whether the mistakes explain pixels that are neither black nor full: the others are easily right.
 // Several mistakes must be right within rounding, nearly as often as pixels without mistakes.
-bool explains_telling_pixels(const Simulation& sim, const Combination& mistakes) {
-  const bool several = mistakes.size() > 1 && sim.usable;
-  const bool means = sim.has_noise();
-  const double exactly = rounding_of(sim, mistakes);
-  const double min_share = !several ? 0.5 : means ? 0.8 : 0.93;
+bool explains_telling_pixels(const Explanation& e) {
+  const bool several = !e.without.empty() && e.usable;
+  const double exactly = exactness(e.rounding, e.fitted);
+  const double min_share = !several ? 0.5 : e.noisy ? 0.8 : 0.93;
   const auto right = [&](const Point& p, const dvec3& color) {
     const double limit = several ? exactly : std::min(right_within, 1 + 0.3 * largest_of(p.test));
     return largest_of(glm::abs(glm::clamp(color, dvec3(0), dvec3(255)) - p.test)) <=
            limit + p.noise;
   };
-  const Colors colors = sim.predicted(mistakes, sim.points.size());
-  const Colors& clean = sim.clean({}).reference;
   double differing = 0, explained = 0, same = 0, equal = 0;
-  for (std::size_t i = 0; i < sim.points.size(); ++i) {
-    const Point& p = sim.points[i];
+  for (std::size_t i = 0; i < e.points.size(); ++i) {
+    const Point& p = e.points[i];
     if (is_telling(p.test)) {
       (p.differs ? differing : same) += p.weight;
-      explained += p.differs && right(p, colors[i]) ? p.weight : 0;
-      equal += !p.differs && right(p, clean[i]) ? p.weight : 0;
+      explained += p.differs && right(p, e.with[i]) ? p.weight : 0;
+      equal += !p.differs && right(p, e.reference[i]) ? p.weight : 0;
     }
   }
   const double noise = same >= 10 * few_pixels ? 1 - equal / same : 0;
   return explained >= min_share * (1 - noise) * differing;
 }
 
-// Whether one of several mistakes is needed: where it changes the picture, the picture is right
-// with it and wrong without it.
+// Whether one of several mistakes is needed.
 bool needed(const Simulation& sim, const Combination& mistakes, std::size_t member) {
   Combination fewer = mistakes;
   fewer.erase(fewer.begin() + std::ptrdiff_t(member));
   const std::size_t count = sim.points.size();
   const Effect e = effect_of(sim, sim.predicted(mistakes, count), sim.predicted(fewer, count));
-  if (e.gained_all < double(few_pixels)) {
-    return false;
-  }
-  const double differs = sim.weight_that_differs(count);
-  const auto reproduces = [&](double share) {
-    const double least = e.differing_right >= 0.995 * differs ? necessary : 2 * necessary;
-    return e.differing_right >= share * differs && !any_fitted(sim, mistakes) &&
-           e.gained_all >= least * differs;
-  };
-  // A mistake that moves all objects out of view explains dark pixels, whatever their cause is.
-  const bool moves = sim.list[mistakes[member]].stage >= Stage::camera;
-  if (moves && e.shown < std::min(0.1 * e.gained, 2 * necessary * differs)) {
-    return reproduces(0.995);
-  }
-  // If all is reproduced without fitted numbers, the points that need a mistake are evidence
-  // enough.
-  if (reproduces(complete)) {
-    return true;
-  }
-  // A mistake that changes few pixels must be right at nearly all of them. A fitted number, or such
-  // a mistake combined with one, must also be needed at nearly all of them: it could hide another
-  // mistake.
-  const bool little = e.gained < 0.05 * differs;
-  const bool strict = is_fitted(sim, mistakes[member]) || (little && any_fitted(sim, mistakes));
-  const double min_gain = !strict ? 0.4 : e.differing_right >= 0.995 * differs ? 0.3 : 0.8;
-  return e.changed >= necessary * differs && e.gained >= min_gain * e.changed &&
-         (!little || e.right >= 0.9 * e.changed);
+  return needed(e, sim.weight_that_differs(count),
+                sim.list[mistakes[member]].stage >= Stage::camera, is_fitted(sim, mistakes[member]),
+                any_fitted(sim, mistakes));
 }
 
 // Moves points that the mistakes do not explain to the front, with one right point after every
@@ -171,7 +147,7 @@ bool loses_colors(const Hypothesis& curve) {
 }  // namespace
 
 double rounding_of(const Simulation& sim, const Combination& mistakes) {
-  return any_fitted(sim, mistakes) ? 3 : std::max(1.6, sim.rounding());
+  return exactness(sim.rounding(), any_fitted(sim, mistakes));
 }
 
 bool good(const Tried& t) {
@@ -186,7 +162,32 @@ bool good_enough(const Simulation& sim, const Tried& t) {
 }
 
 bool leaves_only_rounding(const Simulation& sim, const Combination& mistakes) {
-  if (!explains_telling_pixels(sim, mistakes)) {
+  const std::size_t count = sim.points.size();
+  const Simulation::Clean& clean = sim.clean({});
+  const Colors with = sim.predicted(mistakes, count);
+  Explanation e{sim.points, clean.reference, sim.usable ? clean.drawn : clean.reference, with};
+  for (std::size_t k = 0; mistakes.size() > 1 && k < mistakes.size(); ++k) {
+    Combination fewer = mistakes;
+    fewer.erase(fewer.begin() + std::ptrdiff_t(k));
+    e.without.push_back(sim.predicted(fewer, count));
+  }
+  for (std::size_t i = 0; sim.usable && i < count; ++i) {
+    const ModelPart* seen = clean.hits[i].part;
+    e.sources.push_back(seen != nullptr ? seen->source : no_index);
+  }
+  e.rounding = sim.rounding();
+  e.usable = sim.usable;
+  e.noisy = e.inexact = sim.has_noise();
+  e.fitted = any_fitted(sim, mistakes);
+  e.finished = std::any_of(mistakes.begin(), mistakes.end(), [&](std::uint16_t i) {
+    return sim.list[i].color || sim.list[i].cause == Cause::samples;
+  });
+  e.moved = sim.stage_of(mistakes) == Stage::picture || !(sim.turn_of(mistakes) == Turn());
+  return leaves_only_rounding(e);
+}
+
+bool leaves_only_rounding(const Explanation& e) {
+  if (!explains_telling_pixels(e)) {
     return false;
   }
   constexpr double min_share_of_one = 0.65;  // of a mistake that changes much
@@ -196,19 +197,7 @@ bool leaves_only_rounding(const Simulation& sim, const Combination& mistakes) {
   constexpr double min_share_of_member = 0.75;  // of what one of several mistakes changes
   constexpr double min_share_at_edges = 0.6;
   constexpr std::size_t enough_of_group = 2 * few_pixels;
-  // Programs may change the finished picture after they have truncated its values.
-  const bool twice = std::any_of(mistakes.begin(), mistakes.end(), [&](std::uint16_t i) {
-    return sim.list[i].color || sim.list[i].cause == Cause::samples;
-  });
-  const std::size_t count = sim.points.size();
-  const Colors with = sim.predicted(mistakes, count);
-  const Colors& clean = sim.usable ? sim.clean({}).drawn : sim.clean({}).reference;
-  std::vector<Colors> without_one;
-  for (std::size_t k = 0; mistakes.size() > 1 && k < mistakes.size(); ++k) {
-    Combination fewer = mistakes;
-    fewer.erase(fewer.begin() + std::ptrdiff_t(k));
-    without_one.push_back(sim.predicted(fewer, count));
-  }
+  const bool several = !e.without.empty();
   const auto changes = [](const dvec3& a, const dvec3& b) {
     return largest_of(glm::abs(a - glm::clamp(b, dvec3(0), dvec3(255)))) > 2 * tolerance;
   };
@@ -218,51 +207,46 @@ bool leaves_only_rounding(const Simulation& sim, const Combination& mistakes) {
   double difference = 0;
   double differs = 0;
   std::map<std::uint32_t, Share> of_object;
-  std::vector<Share> of_member(without_one.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    const Point& p = sim.points[i];
-    const dvec3 c = glm::clamp(with[i], dvec3(0), dvec3(255));
+  std::vector<Share> of_member(e.without.size());
+  for (std::size_t i = 0; i < e.points.size(); ++i) {
+    const Point& p = e.points[i];
+    const dvec3 c = glm::clamp(e.with[i], dvec3(0), dvec3(255));
     const bool exactly =
-        largest_of(glm::abs(c - p.test)) <= sim.rounding() + p.noise + (twice ? 1 : 0);
-    if (mistakes.size() > 1 && exactly && !is_telling(p.test)) {
+        largest_of(glm::abs(c - p.test)) <= e.rounding + p.noise + (e.finished ? 1 : 0);
+    if (several && exactly && !is_telling(p.test)) {
       continue;
     }
     if (p.differs) {
       anywhere.add(exactly);
-      difference += p.weight * largest_of(glm::abs(sim.clean({}).reference[i] - p.test));
+      difference += p.weight * largest_of(glm::abs(e.reference[i] - p.test));
       differs += p.weight;
     }
     // At edges, the neighbors' colors count as equal.
     if (largest_of(p.high - p.low) > 2 * (tolerance + p.noise)) {
       continue;
     }
-    for (std::size_t k = 0; k < without_one.size(); ++k) {
-      if (changes(c, without_one[k][i])) {
+    for (std::size_t k = 0; k < e.without.size(); ++k) {
+      if (changes(c, e.without[k][i])) {
         of_member[k].add(exactly);
       }
     }
-    if (p.differs || changes(c, clean[i])) {
+    if (p.differs || changes(c, e.drawn[i])) {
       changed.add(exactly);
-      const ModelPart* seen = sim.usable ? sim.clean({}).hits[i].part : nullptr;
-      of_object[seen != nullptr ? seen->source : no_index].add(exactly);
+      of_object[e.usable ? e.sources[i] : no_index].add(exactly);
     } else {
       unchanged.add(exactly);
     }
   }
   // Other samples of pixels show more in a curve of the finished picture, and elsewhere in a flip.
-  if (changed.all < enough_of_group || sim.stage_of(mistakes) == Stage::picture ||
-      !(sim.turn_of(mistakes) == Turn())) {
-    return anywhere.value() >= min_share_at_edges &&
-           (mistakes.size() == 1 || anywhere.all >= enough_of_group);
+  if (changed.all < enough_of_group || e.moved) {
+    return anywhere.value() >= min_share_at_edges && (!several || anywhere.all >= enough_of_group);
   }
-  const bool noisy = sim.has_noise();
-  const double at_best = noisy && unchanged.all >= enough_of_group ? unchanged.value() : 1;
+  const double at_best = e.inexact && unchanged.all >= enough_of_group ? unchanged.value() : 1;
   const auto enough_are_exact = [&](const Share& group, double min) {
     return group.all < enough_of_group || group.value() >= min * at_best;
   };
   // One mistake cannot imitate many pictures. Few points may have less by chance.
-  const bool one =
-      mistakes.size() == 1 && !any_fitted(sim, mistakes) && difference >= much * differs;
+  const bool one = !several && !e.fitted && difference >= much * differs;
   const double chance = 0.5 / std::sqrt(static_cast<double>(changed.all));
   const double min_share = one ? min_share_of_one - chance : min_share_of_several;
   return changed.value() >= min_share * at_best &&
@@ -445,9 +429,14 @@ double likeness(const Simulation& sim, const Colors& colors) {
 }
 
 Effect effect_of(const Simulation& sim, const Colors& with, const Colors& without) {
+  return effect_of(sim.points, sim.rounding(), with, without);
+}
+
+Effect effect_of(const std::vector<Point>& points, double rounding, const Colors& with,
+                 const Colors& without) {
   Effect e;
   for (std::size_t i = 0; i < with.size(); ++i) {
-    const Point& p = sim.points[i];
+    const Point& p = points[i];
     const dvec3 a = glm::clamp(with[i], dvec3(0), dvec3(255));
     const dvec3 b = glm::clamp(without[i], dvec3(0), dvec3(255));
     const double now = largest_of(outside(a, p.low, p.high)) <= exact_within ? p.weight : 0;
@@ -459,13 +448,39 @@ Effect effect_of(const Simulation& sim, const Colors& with, const Colors& withou
       ++e.points;
       e.changed += p.weight;
       e.right += now;
-      e.within_rounding +=
-          largest_of(glm::abs(a - p.test)) <= sim.rounding() + p.noise ? p.weight : 0;
+      e.within_rounding += largest_of(glm::abs(a - p.test)) <= rounding + p.noise ? p.weight : 0;
       e.gained += gain;
       e.shown += largest_of(p.test) > dark_up_to ? gain : 0;
     }
   }
   return e;
+}
+
+bool needed(const Effect& e, double differs, bool moves, bool fitted, bool any_fitted) {
+  if (e.gained_all < double(few_pixels)) {
+    return false;
+  }
+  const auto reproduces = [&](double share) {
+    const double least = e.differing_right >= 0.995 * differs ? necessary : 2 * necessary;
+    return e.differing_right >= share * differs && !any_fitted && e.gained_all >= least * differs;
+  };
+  // A mistake that moves all objects out of view explains dark pixels, whatever their cause is.
+  if (moves && e.shown < std::min(0.1 * e.gained, 2 * necessary * differs)) {
+    return reproduces(0.995);
+  }
+  // If all is reproduced without fitted numbers, the points that need a mistake are evidence
+  // enough.
+  if (reproduces(complete)) {
+    return true;
+  }
+  // A mistake that changes few pixels must be right at nearly all of them. A fitted number, or such
+  // a mistake combined with one, must also be needed at nearly all of them: it could hide another
+  // mistake.
+  const bool little = e.gained < 0.05 * differs;
+  const bool strict = fitted || (little && any_fitted);
+  const double min_gain = !strict ? 0.4 : e.differing_right >= 0.995 * differs ? 0.3 : 0.8;
+  return e.changed >= necessary * differs && e.gained >= min_gain * e.changed &&
+         (!little || e.right >= 0.9 * e.changed);
 }
 
 bool each_needed(const Simulation& sim, const Combination& mistakes) {

@@ -22,6 +22,24 @@ bool good(const Tried& t);
 /// the simulated color equals that of the test within rounding. A mistake that only imitates the
 /// actual one comes close, but is not equal.
 bool leaves_only_rounding(const Simulation& sim, const Combination& mistakes);
+/// A picture with mistakes at some points, and what judging it needs. Colors are by point.
+struct Explanation {
+  const std::vector<Point>& points;
+  const Colors& reference;
+  const Colors& drawn;                   ///< without mistakes
+  const Colors& with;                    ///< with all of them
+  std::vector<Colors> without{};         ///< each of several mistakes
+  std::vector<std::uint32_t> sources{};  ///< of the objects, by point, if `usable`
+  double rounding = 1.1;                 ///< as Simulation::rounding()
+  bool usable = true;                    ///< whether the scene is that of the reference
+  bool noisy = false;                    ///< whether compression changed the colors
+  bool inexact = false;                  ///< whether points may differ where all is right
+  bool fitted = false;                   ///< whether a number is estimated from the pictures
+  /// Programs may change the finished picture after they have truncated its values.
+  bool finished = false;
+  bool moved = false;  ///< only the finished picture is changed, or flipped
+};
+bool leaves_only_rounding(const Explanation& e);
 /// Whether the claim satisfies all thresholds, which are higher for several mistakes.
 bool good_enough(const Simulation& sim, const Tried& t);
 /// Whether the claim reproduces the picture.
@@ -77,6 +95,13 @@ struct Effect {
   double differing_right = 0;  ///< points that differ from the reference, and are right
 };
 Effect effect_of(const Simulation& sim, const Colors& with, const Colors& without);
+Effect effect_of(const std::vector<Point>& points, double rounding, const Colors& with,
+                 const Colors& without);
+/// Whether one of several mistakes is needed: where it changes the picture, the picture is right
+/// with it and wrong without it. `e`: of the mistakes with and without it; `differs`: the weight of
+/// the points that differ. `moves`: it moves objects; `fitted`, `any_fitted`: it, or any of them,
+/// has a number that is estimated from the pictures.
+bool needed(const Effect& e, double differs, bool moves, bool fitted, bool any_fitted);
 /// Whether each of several mistakes is needed: where it changes the picture, the picture is right
 /// with it and wrong without it.
 bool each_needed(const Simulation& sim, const Combination& mistakes);

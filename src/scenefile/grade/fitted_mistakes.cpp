@@ -50,21 +50,21 @@ bool in_the_middle(double r, double t) {
   return r > 20 && r < 235 && t > 4 && t < 250;
 }
 
-std::optional<double> common_factor(const Pairs& pairs) {
+std::optional<double> common_factor(const Pairs& pairs, double cut_off) {
   std::vector<double> factors;
   for (const auto& [r, t] : pairs) {
     if (in_the_middle(r, t)) {
-      factors.push_back((t + 0.5) / (r + 0.5));
+      factors.push_back((t + cut_off) / (r + cut_off));
     }
   }
   return common_value(factors);
 }
 
-std::optional<double> common_power(const Pairs& pairs) {
+std::optional<double> common_power(const Pairs& pairs, double cut_off) {
   std::vector<double> powers;
   for (const auto& [r, t] : pairs) {
     if (in_the_middle(r, t)) {
-      powers.push_back(std::log((t + 0.5) / 255) / std::log((r + 0.5) / 255));
+      powers.push_back(std::log((t + cut_off) / 255) / std::log((r + cut_off) / 255));
     }
   }
   return common_value(powers);
@@ -132,7 +132,8 @@ std::optional<Line> common_line(const Pairs& pairs) {
 }
 
 // Changes of brightness and contrast: a line for all values, or one for each channel.
-void add_lines(const std::array<Pairs, 3>& by_channel, std::vector<Hypothesis>& list) {
+void add_lines(const std::array<Pairs, 3>& by_channel, double cut_off,
+               std::vector<Hypothesis>& list) {
   Pairs all;
   for (const Pairs& pairs : by_channel) {
     all.insert(all.end(), pairs.begin(), pairs.end());
@@ -161,7 +162,7 @@ void add_lines(const std::array<Pairs, 3>& by_channel, std::vector<Hypothesis>& 
       factors[channel] = line->factor;
       offsets[channel] = line->offset;
       lines = true;
-    } else if (const std::optional<double> k = common_factor(pairs)) {
+    } else if (const std::optional<double> k = common_factor(pairs, cut_off)) {
       factors[channel] = *k;
     }
   }
@@ -275,7 +276,8 @@ void drop_objects(Trial& t, const std::set<std::uint32_t>& sources) {
 
 }  // namespace
 
-std::vector<Hypothesis> fitted_curves(const std::vector<Point>& points, const Colors& reference) {
+std::vector<Hypothesis> fitted_curves(const std::vector<Point>& points, const Colors& reference,
+                                      double cut_off) {
   std::vector<Hypothesis> list;
   const Pairs all = pairs_that_differ(points, reference);
   std::array<Pairs, 3> by_channel;
@@ -293,12 +295,12 @@ std::vector<Hypothesis> fitted_curves(const std::vector<Point>& points, const Co
                                *n > 0 ? "added to" : "subtracted from"),
                    [n = *n / 255](const dvec3& c) { return n + clamped(c); });
   }
-  if (const std::optional<double> k = common_factor(all); k && std::abs(*k - 1) > 0.05) {
+  if (const std::optional<double> k = common_factor(all, cut_off); k && std::abs(*k - 1) > 0.05) {
     add_to_picture(list, Cause::brightness,
                    fmt::format("the picture is {:.2f} times as bright as it should be", *k),
                    [k = *k](const dvec3& c) { return k * clamped(c); });
   }
-  if (const std::optional<double> p = common_power(all); p && std::abs(*p - 1) > 0.05) {
+  if (const std::optional<double> p = common_power(all, cut_off); p && std::abs(*p - 1) > 0.05) {
     add_to_picture(
         list, Cause::gamma,
         *p < 1 ? fmt::format("gamma {:.2f} was applied, but the format has no gamma correction",
@@ -306,7 +308,7 @@ std::vector<Hypothesis> fitted_curves(const std::vector<Point>& points, const Co
                : fmt::format("values were raised to the power of {:.2f}", *p),
         [p = *p](const dvec3& c) { return glm::pow(clamped(c), dvec3(p)); });
   }
-  add_lines(by_channel, list);
+  add_lines(by_channel, cut_off, list);
   for (Hypothesis& curve : list) {
     curve.combines = false;
   }

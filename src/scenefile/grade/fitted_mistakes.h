@@ -6,8 +6,10 @@
 namespace scenefile {
 
 /// Brightness, contrast and gamma, of all values or by channel, estimated from the colors of the
-/// reference at the points.
-std::vector<Hypothesis> fitted_curves(const std::vector<Point>& points, const Colors& reference);
+/// reference at the points. `cut_off`: by how much values are too low on average, in 1/255: 0.5 if
+/// they are truncated, 0 if they are rounded.
+std::vector<Hypothesis> fitted_curves(const std::vector<Point>& points, const Colors& reference,
+                                      double cut_off = 0.5);
 /// A number added to all colors but black. Only for pictures with a scene, because in a scene with
 /// one material, a wrong ambient term gives the same picture.
 std::optional<Hypothesis> addition_to_objects(const std::vector<Point>& points,

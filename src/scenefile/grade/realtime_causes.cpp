@@ -1,10 +1,10 @@
 #include "scenefile/grade/realtime_causes.h"
 
+#include "scenefile/grade/candidates.h"
 #include "scenefile/grade/claims.h"
 #include "scenefile/grade/evidence.h"
 #include "scenefile/grade/fitted_mistakes.h"
 #include "scenefile/grade/realtime_settings.h"
-#include "scenefile/grade/simulation.h"
 #include "scenefile/grade/undrawn.h"
 #include "scenefile/mistakes/realtime_hypotheses.h"
 #include "scenefile/trace/tasks.h"
@@ -18,6 +18,8 @@
 #include <map>
 #include <optional>
 #include <random>
+#include <set>
+#include <string_view>
 #include <utility>
 
 namespace scenefile {
@@ -26,31 +28,25 @@ namespace {
 
 using glm::dvec3;
 
-constexpr std::size_t screen = 240;            // points used to screen single mistakes
-constexpr std::size_t few_points = 120;        // points used to screen combinations
 constexpr std::size_t max_partners = 40;       // mistakes per start that need a new rasterization
 constexpr std::size_t min_strict_pixels = 40;  // differing pixels needed to search at edges, too
-constexpr double rival_margin = 0.03;
+constexpr std::size_t max_same_points = 4000;  // where to look for pixels that a mistake breaks
+constexpr std::size_t max_alike = 4;           // mistakes that a claim names as giving the same
+constexpr double realtime_rival_margin = 0.03;
 // Stricter than for ray tracers: the rasterizer reproduces a picture nearly exactly.
 constexpr double enough_explained = 0.9;
 constexpr double enough_pixels = 0.9;
-// Several mistakes can imitate almost anything roughly.
-constexpr double enough_together = 0.95;
-constexpr double necessary = 0.01;  // what each of several mistakes must add to the others
+constexpr double added_by_each = 0.01;  // what each of several mistakes must add to the others
 constexpr double promising = 0.02;
 
-struct Tried {
-  Combination mistakes;
-  Score score;
-  double explained = 0;
-  double exact = 0;
-  double broken = 0;
-  bool holds = true;  // any curve among the mistakes holds everywhere: curve_holds()
-  double merit() const { return 0.5 * explained + 0.5 * exact - broken; }
-  bool good() const {
-    return explained >= (mistakes.size() == 1 ? enough_explained : enough_together) &&
-           exact >= enough_pixels && broken <= max_broken && holds;
+struct RealtimeTried : Tried {
+  bool judged = false;  // what the scores do not show: Search::holds()
+  // Several mistakes can imitate almost anything roughly.
+  bool scores() const {
+    return explained >= enough_explained && exact >= enough_pixels && broken <= max_broken &&
+           (mistakes.size() == 1 || sure(*this));
   }
+  bool good() const { return judged && scores(); }
 };
 
 class Search {
@@ -60,7 +56,7 @@ class Search {
       : reference_(reference), test_(test), view_(view), go_on_(go_on), drawn_(view) {}
 
   CauseReport run() {
-    const Pixels pixels = sorted_pixels(reference_, test_);
+    const Pixels pixels = sorted_pixels(reference_, test_, view_.noise);
     const double all = static_cast<double>(test_.width) * test_.height;
     report_.share_different = static_cast<double>(pixels.different.size()) / all;
     report_.only_details = only_details(pixels, test_);
@@ -85,12 +81,13 @@ class Search {
     listed_ = list_.size();
     if (pixels.different.size() >= few_pixels) {
       set_points(pixels, false);
-      search();
+      search(true);
     }
-    if (report_.claims.empty() && report_.partial.empty() &&
+    // Compression changes edges the most.
+    if (report_.claims.empty() && report_.partial.empty() && view_.noise.empty() &&
         pixels.off.size() >= min_strict_pixels && pixels.off.size() > 2 * pixels.different.size()) {
       set_points(pixels, true);
-      search();
+      search(false);
     }
     return report_;
   }
@@ -211,9 +208,16 @@ class Search {
     std::mt19937 random(1);
     std::vector<Point> different;
     std::vector<Point> same;
-    add_points(reference_, test_, strict ? pixels.off : pixels.different, 1200, true, strict,
-               random, different);
-    add_points(reference_, test_, pixels.same, 400, false, strict, random, same);
+    if (strict) {
+      add_points(reference_, test_, pixels.off, 1200, true, true, random, different);
+    } else {
+      add_differing_points(reference_, test_, pixels.different, 1200, random, different,
+                           view_.noise);
+    }
+    add_points(reference_, test_, pixels.same, 400, false, strict, random, same, view_.noise);
+    unchanged_.clear();
+    add_points(reference_, test_, pixels.same, max_same_points, false, false, random, unchanged_,
+               view_.noise);
     points_.clear();
     std::size_t s = 0;
     for (std::size_t d = 0; d < different.size() || s < same.size();) {
@@ -225,14 +229,35 @@ class Search {
       }
     }
     right_ = colors({}, clean_, points_.size());
+    right_unchanged_ = colors({}, clean_, unchanged_, unchanged_.size());
+    sources_ = sources_at(points_);
+    sources_unchanged_ = sources_at(unchanged_);
+    of_reference_.clear();
+    for (const Point& p : points_) {
+      of_reference_.push_back(at(reference_, p.x, p.y));
+    }
     list_.resize(listed_);
-    std::vector<Hypothesis> curves = fitted_curves(points_, right_);
+    std::vector<Hypothesis> curves = fitted_curves(points_, right_, 0);  // OpenGL rounds
     if (std::optional<Hypothesis> added = addition_to_objects(points_, right_)) {
       curves.push_back(*std::move(added));
     }
     for (Hypothesis& h : curves) {
       list_.push_back({h.cause, h.what, RealtimeStage::picture, {}, h.turn, h.color});
     }
+  }
+
+  // Of the objects that the points show without mistakes.
+  std::vector<std::uint32_t> sources_at(const std::vector<Point>& points) const {
+    const RealtimeTrial trial = drawn_.right();
+    const RealtimePicture picture(trial, clean_, *view_.assets, test_.width, test_.height);
+    std::vector<std::uint32_t> sources;
+    for (const Point& p : points) {
+      const std::uint32_t number = picture.triangle_at(p.x, p.y);
+      sources.push_back(number == Visibility::nothing
+                            ? no_index
+                            : clean_->shapes->parts[clean_->triangles[number].part].source);
+    }
+    return sources;
   }
 
   // Curves of the finished picture, which are estimated from its colors.
@@ -249,27 +274,106 @@ class Search {
                        colors(mistakes, shown, everywhere_, count));
   }
 
-  Tried rated(Combination mistakes, const Score& s, std::size_t count) const {
-    double differs = 0;
-    double same = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      (points_[i].differs ? differs : same) += points_[i].weight;
+  // Colors that differ by no more are equal, as Simulation::rounding().
+  double rounding() const { return view_.noise.empty() ? 1.1 : 3; }
+
+  Colors without(Combination mistakes, std::size_t member) const {
+    mistakes.erase(mistakes.begin() + std::ptrdiff_t(member));
+    return drawn_with(mistakes);
+  }
+
+  // Whether the mistakes leave nothing but rounding, also in pixels that are not black, and do not
+  // break right ones.
+  bool holds(const Combination& mistakes, const std::shared_ptr<const Visibility>& shown,
+             const Colors& with) const {
+    Explanation e{points_, of_reference_, right_, with};
+    for (std::size_t k = 0; mistakes.size() > 1 && k < mistakes.size(); ++k) {
+      e.without.push_back(without(mistakes, k));
     }
-    const double before = left_before(count);
-    Tried t;
-    t.mistakes = std::move(mistakes);
-    t.score = s;
-    t.explained = before > 0 ? 1 - s.left / before : 0;
-    t.exact = differs > 0 ? s.exact / differs : 0;
-    t.broken = same > 0 ? s.broken / same : 0;
-    return t;
+    e.sources = sources_;
+    e.rounding = rounding();
+    e.noisy = !view_.noise.empty();
+    e.inexact = true;
+    e.moved = stage_of(mistakes) == RealtimeStage::picture;
+    e.finished = view_.panel.filter != Filter::none;
+    for (const std::uint16_t i : mistakes) {
+      e.fitted = e.fitted || is_curve(i);
+      e.finished = e.finished || list_[i].color || list_[i].cause == Cause::filter;
+      e.moved = e.moved || !(list_[i].turn == Turn());
+    }
+    return leaves_only_rounding(e) && shows_bright(with) && !breaks(mistakes, shown, with, false) &&
+           curves_hold(mistakes, shown);
+  }
+
+  // Whether the picture with the mistakes is not just black: many mistakes make a picture black.
+  bool shows_bright(const Colors& with) const {
+    Share right;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const Point& p = points_[i];
+      const dvec3 c = glm::clamp(with[i], dvec3(0), dvec3(255));
+      if (p.differs && largest_of(p.test) > dark_up_to) {
+        right.add(largest_of(glm::abs(c - p.test)) <= right_within + p.noise);
+      }
+    }
+    return right.value() >= 0.5;
+  }
+
+  // Whether the mistakes break many pixels, compared with those that differ, or leave many of an
+  // object wrong, which other objects that are right may hide. `in_part`: what differs may stay
+  // wrong.
+  bool breaks(const Combination& mistakes, const std::shared_ptr<const Visibility>& shown,
+              const Colors& with, bool in_part) const {
+    constexpr double much = 0.1;  // of what differs
+    struct Weights {
+      double right = 0;
+      double wrong = 0;
+      std::size_t wrong_points = 0;
+    };
+    std::map<std::uint32_t, Weights> of_object;
+    double broken = 0;
+    const auto add = [&](std::uint32_t source, const Point& p, bool right) {
+      Weights& object = of_object[source];
+      (right ? object.right : object.wrong) += p.weight;
+      object.wrong_points += right ? 0 : 1;
+    };
+    const auto off = [](const dvec3& color, const Point& p) {
+      return largest_of(outside(glm::clamp(color, dvec3(0), dvec3(255)), p.low, p.high));
+    };
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      if (points_[i].differs && !in_part) {
+        add(sources_[i], points_[i], off(with[i], points_[i]) <= right_within);
+      }
+    }
+    const Colors there = colors(mistakes, shown, unchanged_, unchanged_.size());
+    for (std::size_t i = 0; i < unchanged_.size(); ++i) {
+      const Point& p = unchanged_[i];
+      if (off(right_unchanged_[i], p) <= 0) {
+        const bool right = off(there[i], p) <= tolerance;
+        broken += right ? 0 : p.weight;
+        add(sources_unchanged_[i], p, right);
+      }
+    }
+    return broken > much * base(points_.size()).differs ||
+           std::any_of(of_object.begin(), of_object.end(), [](const auto& one) {
+             const Weights& w = one.second;
+             return w.wrong_points >= few_pixels && w.wrong > much * (w.right + w.wrong);
+           });
+  }
+
+  Simulation::Base base(std::size_t count) const {
+    Simulation::Base b;
+    for (std::size_t i = 0; i < count; ++i) {
+      (points_[i].differs ? b.differs : b.same) += points_[i].weight;
+    }
+    b.left = left_before(count);
+    return b;
   }
 
   double left_before(std::size_t count) const { return score(points_, count, right_).left; }
 
   // Tries each set; sets with the same visible triangles share the rasterization.
-  std::vector<Tried> try_all(const std::vector<Combination>& sets, std::size_t count, double from,
-                             double to) {
+  std::vector<RealtimeTried> try_all(const std::vector<Combination>& sets, std::size_t count,
+                                     double from, double to) {
     count = std::min(count, points_.size());
     std::map<Combination, std::vector<std::size_t>> by_raster;
     for (std::size_t i = 0; i < sets.size(); ++i) {
@@ -285,7 +389,8 @@ class Search {
                         members.begin() + std::ptrdiff_t(std::min(members.size(), start + 32))));
       }
     }
-    std::vector<Tried> result(sets.size());
+    std::vector<RealtimeTried> result(sets.size());
+    const Simulation::Base b = base(count);
     constexpr std::size_t chunk = 16;
     for (std::size_t start = 0; start < groups.size(); start += chunk) {
       if (!step(from +
@@ -297,31 +402,35 @@ class Search {
         const std::shared_ptr<const Visibility> shown = visible(raster);
         for (const std::size_t i : members) {
           if (shown != nullptr) {
-            result[i] = rated(sets[i], score(points_, count, colors(sets[i], shown, count)), count);
-            result[i].holds = count < points_.size() || curves_hold(sets[i], shown);
+            const Colors with = colors(sets[i], shown, count);
+            result[i] = {Simulation::rated(sets[i], score(points_, count, with), b)};
+            result[i].judged =
+                count == points_.size() && result[i].scores() && holds(sets[i], shown, with);
           }
         }
       });
     }
-    std::erase_if(result, [](const Tried& t) { return t.mistakes.empty(); });
+    std::erase_if(result, [](const RealtimeTried& t) { return t.mistakes.empty(); });
     return result;
   }
 
-  static void sort_by_merit(std::vector<Tried>& list) {
-    std::stable_sort(list.begin(), list.end(),
-                     [](const Tried& a, const Tried& b) { return a.merit() > b.merit(); });
+  static void sort_by_merit(std::vector<RealtimeTried>& list) {
+    std::stable_sort(list.begin(), list.end(), [](const RealtimeTried& a, const RealtimeTried& b) {
+      return a.merit() > b.merit();
+    });
   }
 
   // ---- searching ---------------------------------------------------------------------------
 
-  void search() {
+  // `in_part`: whether a mistake that explains only a part is evidence.
+  void search(bool in_part) {
     std::vector<Combination> sets;
     for (std::uint16_t i = 0; i < list_.size(); ++i) {
       sets.push_back({i});
     }
-    std::vector<Tried> ranked = try_all(sets, screen, 0, 0.5);
+    std::vector<RealtimeTried> ranked = try_all(sets, screen, 0, 0.5);
     sort_by_merit(ranked);
-    std::vector<Tried> best = verified(ranked, 16, 0.5, 0.6);
+    std::vector<RealtimeTried> best = verified(ranked, 16, 0.5, 0.6);
     if (!best.empty() && best.front().good()) {
       claim(completed(best.front(), ranked), best);
       return;
@@ -329,15 +438,15 @@ class Search {
     if (stopped_) {
       return;
     }
-    const std::vector<Tried> alone = best;
+    const std::vector<RealtimeTried> alone = best;
     std::vector<Combination> starts;
     for (std::size_t i = 0; i < std::min<std::size_t>(8, ranked.size()); ++i) {
       starts.push_back(ranked[i].mistakes);
     }
-    std::vector<Tried> pairs = extended(starts, ranked, 0.6, 0.8);
+    std::vector<RealtimeTried> pairs = extended(starts, ranked, 0.6, 0.8);
     best = verified(pairs, 12, 0.8, 0.85);
-    if (!best.empty() && best.front().good()) {
-      claim(completed(without_needless(best.front()), ranked), best);
+    if (const std::optional<RealtimeTried> found = first_needed(best)) {
+      claim(completed(*found, ranked), best);
       return;
     }
     starts.clear();
@@ -346,58 +455,82 @@ class Search {
     }
     if (!pairs.empty() && pairs.front().merit() > 0.3) {
       best = verified(extended(starts, ranked, 0.85, 0.95), 8, 0.95, 1);
-      if (!best.empty() && best.front().good()) {
-        claim(without_needless(best.front()), best);
+      if (const std::optional<RealtimeTried> found = first_needed(best)) {
+        claim(*found, best);
         return;
       }
     }
-    if (!alone.empty() && alone.front().explained >= min_partial &&
-        alone.front().exact >= min_partial && alone.front().broken <= max_broken &&
-        alone.front().holds) {
-      const RealtimeHypothesis& h = list_[alone.front().mistakes.front()];
-      report_.partial.push_back(
-          {h.cause, h.what,
-           evidence_of_share(alone.front().explained) + "; something else is wrong, too",
-           alone.front().explained});
-      report_.asked = asked(alone.front().mistakes);
+    for (const RealtimeTried& t : alone) {
+      if (in_part && t.explained >= min_partial && t.broken <= max_broken &&
+          !is_curve(t.mistakes.front()) && reproduces_its_part(t)) {
+        const RealtimeHypothesis& h = list_[t.mistakes.front()];
+        report_.partial.push_back(
+            {h.cause, h.what, evidence_of_share(t.explained) + "; something else is wrong, too",
+             t.explained});
+        report_.asked = asked(t.mistakes);
+        return;
+      }
     }
   }
 
+  // Whether a mistake is right nearly everywhere where it changes the picture, mostly within
+  // rounding.
+  bool reproduces_its_part(const RealtimeTried& t) const {
+    const std::shared_ptr<const Visibility> shown = visible(rasterized(t.mistakes));
+    const Colors with = colors(t.mistakes, shown, points_.size());
+    const Effect e = effect_of(points_, rounding(), with, right_);
+    return e.changed >= min_partial * base(points_.size()).differs &&
+           e.right >= nearly_all * e.changed && e.within_rounding >= 0.8 * e.changed &&
+           shows_bright(with) && !breaks(t.mistakes, shown, with, true) &&
+           curves_hold(t.mistakes, shown);
+  }
+
   // The best screened mistakes at all points; among similar ones the more likely first.
-  std::vector<Tried> verified(const std::vector<Tried>& ranked, std::size_t count, double from,
-                              double to) {
+  std::vector<RealtimeTried> verified(const std::vector<RealtimeTried>& ranked, std::size_t count,
+                                      double from, double to) {
     std::vector<Combination> sets;
     for (std::size_t i = 0; i < std::min(count, ranked.size()); ++i) {
       if (ranked[i].merit() > 0.05) {
         sets.push_back(ranked[i].mistakes);
       }
     }
-    std::vector<Tried> result = try_all(sets, points_.size(), from, to);
-    std::stable_sort(result.begin(), result.end(),
-                     [](const Tried& a, const Tried& b) { return a.score.raw < b.score.raw; });
+    std::vector<RealtimeTried> result = try_all(sets, points_.size(), from, to);
+    std::stable_sort(
+        result.begin(), result.end(),
+        [](const RealtimeTried& a, const RealtimeTried& b) { return a.score.raw < b.score.raw; });
     if (result.empty()) {
       return result;
     }
-    const double limit = tie_limit(result.front().score.raw);
+    const double limit = limit_of_tie(result.front().score.raw);
     const auto last = std::find_if(result.begin(), result.end(),
-                                   [&](const Tried& t) { return t.score.raw > limit; });
-    std::stable_sort(result.begin(), last,
-                     [](const Tried& a, const Tried& b) { return a.mistakes < b.mistakes; });
-    std::stable_partition(result.begin(), result.end(), [](const Tried& t) { return t.good(); });
+                                   [&](const RealtimeTried& t) { return t.score.raw > limit; });
+    // What programs may choose is likelier than a mistake.
+    std::stable_sort(result.begin(), last, [&](const RealtimeTried& a, const RealtimeTried& b) {
+      const bool allowed = are_allowed(a.mistakes);
+      return allowed != are_allowed(b.mistakes) ? allowed : a.mistakes < b.mistakes;
+    });
+    std::stable_partition(result.begin(), result.end(),
+                          [](const RealtimeTried& t) { return t.good(); });
     return result;
   }
 
+  bool are_allowed(const Combination& mistakes) const {
+    return std::none_of(mistakes.begin(), mistakes.end(),
+                        [&](std::uint16_t i) { return list_[i].mistake; });
+  }
+
   // Mistakes that leave at most this difference count as equal to one that leaves `raw`.
-  double tie_limit(double raw) const { return 1.1 * raw + 0.0003 * left_before(points_.size()); }
+  double limit_of_tie(double raw) const { return tie_limit(raw, left_before(points_.size())); }
 
   // Combines each start with single mistakes; of those that need a new rasterization, only the most
   // promising.
-  std::vector<Tried> extended(const std::vector<Combination>& starts,
-                              const std::vector<Tried>& ranked, double from, double to) {
+  std::vector<RealtimeTried> extended(const std::vector<Combination>& starts,
+                                      const std::vector<RealtimeTried>& ranked, double from,
+                                      double to) {
     std::vector<Combination> sets;
     for (const Combination& start : starts) {
       std::size_t partners = 0;
-      for (const Tried& t : ranked) {
+      for (const RealtimeTried& t : ranked) {
         const std::uint16_t other = t.mistakes.front();
         if (list_[other].stage >= RealtimeStage::raster &&
             (partners >= max_partners || (t.exact < promising && t.explained < promising))) {
@@ -415,7 +548,7 @@ class Search {
     }
     std::sort(sets.begin(), sets.end());
     sets.erase(std::unique(sets.begin(), sets.end()), sets.end());
-    std::vector<Tried> result = try_all(sets, few_points, from, to);
+    std::vector<RealtimeTried> result = try_all(sets, few_points, from, to);
     sort_by_merit(result);
     return result;
   }
@@ -430,33 +563,64 @@ class Search {
   }
 
   // Adds the mistake that explains most of the remaining difference, if any.
-  Tried completed(const Tried& found, const std::vector<Tried>& ranked) {
+  RealtimeTried completed(const RealtimeTried& found, const std::vector<RealtimeTried>& ranked) {
     if (stopped_ || found.score.left < 0.02 * left_before(points_.size()) ||
         found.mistakes.size() > 2) {
       return found;
     }
-    const std::vector<Tried> best =
+    const std::vector<RealtimeTried> best =
         verified(extended({found.mistakes}, ranked, 0.85, 0.95), 6, 0.95, 1);
-    if (!best.empty() && best.front().good() && best.front().score.left < 0.4 * found.score.left) {
-      return without_needless(best.front());
+    const std::optional<RealtimeTried> more = first_needed(best);
+    return more && more->score.left < 0.4 * found.score.left ? *more : found;
+  }
+
+  // The first good combination, without mistakes that the others do not need.
+  std::optional<RealtimeTried> first_needed(const std::vector<RealtimeTried>& best) {
+    for (const RealtimeTried& t : best) {
+      if (!t.good()) {
+        break;
+      }
+      if (std::optional<RealtimeTried> found = without_needless(t)) {
+        return found;
+      }
+    }
+    return std::nullopt;
+  }
+
+  // nullopt if a mistake is not needed, but the others are not good.
+  std::optional<RealtimeTried> without_needless(RealtimeTried found) {
+    for (std::size_t i = 0; found.mistakes.size() > 1 && i < found.mistakes.size();) {
+      Combination fewer = found.mistakes;
+      fewer.erase(fewer.begin() + std::ptrdiff_t(i));
+      const std::vector<RealtimeTried> rest = try_all({fewer}, points_.size(), 1, 1);
+      if (rest.empty()) {
+        return std::nullopt;
+      }
+      if (rest.front().explained <= found.explained - added_by_each &&
+          is_needed(found.mistakes, i)) {
+        ++i;
+      } else if (rest.front().good()) {
+        found = rest.front();
+        i = 0;
+      } else {
+        return std::nullopt;
+      }
     }
     return found;
   }
 
-  Tried without_needless(Tried found) {
-    for (std::size_t i = 0; found.mistakes.size() > 1 && i < found.mistakes.size();) {
-      Combination fewer = found.mistakes;
-      fewer.erase(fewer.begin() + std::ptrdiff_t(i));
-      const std::vector<Tried> tried = try_all({fewer}, points_.size(), 1, 1);
-      if (!tried.empty() && tried.front().good() &&
-          tried.front().explained > found.explained - necessary) {
-        found = tried.front();
-        i = 0;
-      } else {
-        ++i;
-      }
-    }
-    return found;
+  bool is_needed(const Combination& mistakes, std::size_t member) const {
+    const std::size_t count = points_.size();
+    const Effect e =
+        effect_of(points_, rounding(), drawn_with(mistakes), without(mistakes, member));
+    return needed(e, base(count).differs, list_[mistakes[member]].stage >= RealtimeStage::raster,
+                  is_curve(mistakes[member]),
+                  std::any_of(mistakes.begin(), mistakes.end(),
+                              [&](std::uint16_t i) { return is_curve(i); }));
+  }
+
+  Colors drawn_with(const Combination& mistakes) const {
+    return colors(mistakes, visible(rasterized(mistakes)), points_.size());
   }
 
   // The pixel that is asked for, with the mistakes.
@@ -470,7 +634,7 @@ class Search {
     return MistakenPixel{colors(mistakes, shown, {point}, 1).front()};
   }
 
-  void claim(const Tried& found, const std::vector<Tried>& others) {
+  void claim(const RealtimeTried& found, const std::vector<RealtimeTried>& others) {
     report_.asked = asked(found.mistakes);
     const double before = left_before(points_.size());
     const double values = 3.0 * test_.width * test_.height;
@@ -481,7 +645,7 @@ class Search {
       } else {
         Combination rest = found.mistakes;
         std::erase(rest, i);
-        const std::vector<Tried> without = try_all({rest}, points_.size(), 1, 1);
+        const std::vector<RealtimeTried> without = try_all({rest}, points_.size(), 1, 1);
         one.evidence =
             evidence_of_several(found.explained, without.empty() ? 0 : without.front().explained);
       }
@@ -491,18 +655,28 @@ class Search {
       return;
     }
     std::vector<std::string> same;
-    for (const Tried& t : others) {
+    std::set<std::string_view> words{list_[found.mistakes.front()].what};
+    const Colors shown = drawn_with(found.mistakes);
+    for (const RealtimeTried& t : others) {
       const RealtimeHypothesis& h = list_[t.mistakes.front()];
+      if (t.mistakes.size() > 1 || !t.good() || words.contains(h.what)) {
+        continue;
+      }
+      const bool tied = t.score.raw <= limit_of_tie(found.score.raw);
       const bool listed = h.cause == report_.claims.front().cause ||
                           std::any_of(report_.rivals.begin(), report_.rivals.end(),
                                       [&](const Claim& c) { return c.cause == h.cause; });
-      if (t.mistakes.size() == 1 && !listed && t.good() && report_.rivals.size() < 3 &&
-          t.score.raw <= found.score.raw + rival_margin * before) {
+      if (!listed && report_.rivals.size() < 3 &&
+          t.score.raw <= found.score.raw + realtime_rival_margin * before) {
         report_.rivals.push_back({h.cause, h.what, evidence_of_share(t.explained), t.explained});
-        if (t.score.raw <= tie_limit(found.score.raw)) {
-          same.push_back(h.what);
-          report_.rivals.back().said = true;
-        }
+        report_.rivals.back().said = tied;
+      } else if (!tied || is_curve(t.mistakes.front()) ||
+                 any_differs(shown, drawn_with(t.mistakes), 1)) {
+        continue;
+      }
+      words.insert(h.what);
+      if (tied && same.size() + 1 < max_alike) {
+        same.push_back(h.what);
       }
     }
     add_alternatives(report_.claims.back(), same);
@@ -596,8 +770,13 @@ class Search {
   std::vector<RealtimeHypothesis> list_;
   std::size_t listed_ = 0;         // size of list_ without curves, which depend on the points
   std::vector<Point> everywhere_;  // spread over the whole picture
+  std::vector<Point> unchanged_;   // where test and reference are equal
+  Colors right_unchanged_;         // there, without mistakes
   std::vector<Point> points_;
-  Colors right_;  // at the points, without mistakes
+  std::vector<std::uint32_t> sources_unchanged_;
+  std::vector<std::uint32_t> sources_;  // of the objects at the points
+  Colors of_reference_;                 // at the points
+  Colors right_;                        // at the points, without mistakes
   bool stopped_ = false;
   CauseReport report_;
 };
@@ -611,7 +790,7 @@ CauseReport find_realtime_causes(const Texture& reference, const Texture& test,
     return {};
   }
   CauseReport report = Search(reference, test, view, go_on).run();
-  if (report.claims.empty() && report.partial.empty()) {
+  if (report.claims.empty() && report.partial.empty() && view.noise.empty()) {
     // Causes found without the scene, such as a blurred picture.
     CauseReport plain =
         find_causes(reference, test, nullptr, [&](double /*done*/) { return !go_on || go_on(1); });

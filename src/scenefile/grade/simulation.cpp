@@ -504,7 +504,7 @@ Score Simulation::score_of(const Combination& mistakes, std::size_t count) const
   return score(points, count, predicted(mistakes, count));
 }
 
-Tried Simulation::rated(Combination mistakes, const Score& s, const Base& b) const {
+Tried Simulation::rated(Combination mistakes, const Score& s, const Base& b) {
   Tried t;
   t.mistakes = std::move(mistakes);
   t.score = s;

@@ -151,7 +151,7 @@ struct Simulation {
   Colors closer(Colors a, Colors b) const;
   /// At the first `count` points.
   Score score_of(const Combination& mistakes, std::size_t count) const;
-  Tried rated(Combination mistakes, const Score& s, const Base& b) const;
+  static Tried rated(Combination mistakes, const Score& s, const Base& b);
   /// Tries each set, in parallel if possible.
   std::vector<Tried> try_all(const std::vector<Combination>& sets, std::size_t count, double from,
                              double to);

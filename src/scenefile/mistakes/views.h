@@ -45,6 +45,7 @@ struct RealtimeView {
   RealtimeOptions panel;
   const std::vector<Source>* sources = nullptr;  ///< that `scene` refers to; needed with `written`
   std::optional<glm::dvec2> asked = std::nullopt;  ///< as SceneView::asked
+  std::vector<float> noise = {};                   ///< as SceneView::noise
 };
 
 }  // namespace scenefile

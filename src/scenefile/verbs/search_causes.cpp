@@ -153,6 +153,20 @@ bool probably_exchanged(const Texture& reference, const Texture& test, const Loa
   return !swapped.claims.empty() && explained_by_one(swapped);
 }
 
+bool nothing_found(const PictureComparison& found) {
+  return found.scene_fits() && found.causes.claims.empty() && found.causes.notes.empty();
+}
+
+// Says of a JPEG without a cause if compression explains it.
+void note_compression(const Texture& reference, const Texture& test, PictureComparison& found) {
+  if (nothing_found(found) && found.causes.partial.empty() &&
+      (found.causes.only_details || differ_by_compression(reference, test))) {
+    found.causes.notes.push_back(
+        {Cause::samples, "the colors are as inexact as those of JPEGs", {}, 1});
+    found.causes.route = "jpeg-note";
+  }
+}
+
 }  // namespace
 
 void look_for_causes(const Texture& reference, const Texture& test, const LoadedScene* scene,
@@ -168,22 +182,25 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
   if (ways.front().realtime) {
     found.realtime = ways.front().realtime;
     found.drawn_with = ways.front().words;
-    found.causes =
-        find_realtime_causes(reference, test, realtime_view_of(*scene, ways.front(), part), go_on);
+    RealtimeView view = realtime_view_of(*scene, ways.front(), part);
+    if (settings.lossy) {
+      view.noise = in_calm_blocks({reference, test, part}, contrast_of_blocks(test)).part.noise;
+    }
+    found.causes = find_realtime_causes(reference, test, view, go_on);
+    if (settings.lossy) {
+      note_compression(reference, test, found);
+    }
     found.where = place_to_look(reference, test, scene, &ways.front());
     return;
   }
   const DrawnWay* way = &ways.front();
   const Looked as_it_is{reference, test, part};
-  const auto nothing_found = [&] {
-    return found.scene_fits() && found.causes.claims.empty() && found.causes.notes.empty();
-  };
   if (settings.lossy) {
     const std::vector<float> contrast = contrast_of_blocks(test);
     found.causes = causes_of(in_calm_blocks(as_it_is, contrast), *scene, ways, go_on,
                              LookFor::several_at_once, way);
     found.causes.route.insert(0, found.causes.route.empty() ? "" : "calm+");
-    if (nothing_found()) {
+    if (nothing_found(found)) {
       // If several mistakes do not explain the calm pixels that differ, they do not explain all.
       const LookFor look_for =
           explains_nothing(found.causes) ? LookFor::single_mistakes : LookFor::several_at_once;
@@ -196,11 +213,8 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
   }
   found.other_outlines = explains_nothing(found.causes) && found.causes.partial.empty() &&
                          have_other_outlines(reference, test);
-  if (settings.lossy && nothing_found() && found.causes.partial.empty() &&
-      (found.causes.only_details || differ_by_compression(reference, test))) {
-    found.causes.notes.push_back(
-        {Cause::samples, "the colors are as inexact as those of JPEGs", {}, 1});
-    found.causes.route = "jpeg-note";
+  if (settings.lossy) {
+    note_compression(reference, test, found);
   }
   if (!noisy && explains_nothing(found.causes) && !found.other_outlines) {
     // With several samples per pixel, textures and edges differ, but less so in the means.

@@ -395,13 +395,18 @@ struct Explanation {
     }
   }
 
+  // Conventions are not wrong, so the noise of their simulation must not hide them.
+  bool is_rival(const PathModel& m, Cause page) const {
+    return m.kind == ModelKind::convention ? reading.is_like_noise(m)
+                                           : is_near(m) && m.page != page;
+  }
+
   // Mistakes of one kind that the noise does not tell apart.
   bool claim_kind() const {
     const PathModel& first = reading.models.front();
     const char* const what = kind_of(first.page);
-    const bool alone =
-        std::all_of(reading.models.begin(), reading.models.end(),
-                    [&](const PathModel& m) { return !is_near(m) || m.page == first.page; });
+    const bool alone = std::none_of(reading.models.begin(), reading.models.end(),
+                                    [&](const PathModel& m) { return is_rival(m, first.page); });
     if (what == nullptr || !alone || !is_near(first) || !counts(first)) {
       return false;
     }

@@ -132,7 +132,8 @@ TEST(RealtimeCauses, NamesMistakes) {
         std::pair("gouraud", "facets"), std::pair("normals-by-model", "normals"),
         std::pair("caps-inside-out", "culling"), std::pair("lights-no-point", "lights"),
         std::pair("lights-replace", "lights"), std::pair("viewport-points", "viewport"),
-        std::pair("specular-blinn", "blinn"), std::pair("picture-upside-down", "vertical-flip")}) {
+        std::pair("specular-blinn", "blinn"), std::pair("fov-full", "camera"),
+        std::pair("picture-upside-down", "vertical-flip")}) {
     EXPECT_EQ(fixture.named(panel, mistake), cause) << mistake;
   }
 }

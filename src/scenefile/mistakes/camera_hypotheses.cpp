@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -169,6 +170,7 @@ void add_camera(HypothesisList& list) {
     const dvec3 up(written.up);
     const dvec3 look(written.look);
     if (glm::length(up) > 0 && glm::length(look) > 0) {
+      const auto first = static_cast<std::ptrdiff_t>(list.items.size());
       edit_camera(list, "the up vector is not made perpendicular to the view",
                   [up](RenderCamera& c) { c.v = glm::normalize(up); });
       edit_camera(list, "up of the camera is not normalized after it is made perpendicular",
@@ -212,6 +214,8 @@ void add_camera(HypothesisList& list) {
             c.w = -look;
             c.v = glm::normalize(glm::normalize(up) + glm::dot(glm::normalize(up), look) * -look);
           });
+      std::for_each(list.items.begin() + first, list.items.end(),
+                    [](Hypothesis& h) { h.axes = true; });
     }
   }
 }

@@ -58,6 +58,8 @@ struct Hypothesis {
   /// Whether the searches combine it with others. Curves that are fitted to the reference are not:
   /// they can imitate any other mistake.
   bool combines = true;
+  /// Whether it changes the camera's axes, which rays are made of, but a view matrix has as rows.
+  bool axes = false;
 };
 
 /// Whether the mistake only shows at edges: other samples of pixels.

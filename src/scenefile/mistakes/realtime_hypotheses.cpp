@@ -680,6 +680,15 @@ class Maker {
     return !occurs_in_meshes(trial.mistakes.shape);
   }
 
+  // Makes the axes act as the rows of a view matrix: those that rays are made of are the columns of
+  // its inverse.
+  static void make_rows(RenderCamera& camera) {
+    const glm::dmat3 axes = glm::inverse(glm::transpose(glm::dmat3(camera.u, camera.v, camera.w)));
+    camera.u = axes[0];
+    camera.v = axes[1];
+    camera.w = axes[2];
+  }
+
   // Mistakes of ray tracers that also occur in OpenGL programs.
   void add_common() {
     RenderOptions options;
@@ -709,7 +718,12 @@ class Maker {
       if (h.what.starts_with("rays are transformed by")) {
         h.what = "shapes are placed by the inverse of their matrix";
       }
-      add(h.cause, h.what, stage, [draw = h.draw](RealtimeTrial& t) { draw(t.scene); });
+      add(h.cause, h.what, stage, [draw = h.draw, axes = h.axes](RealtimeTrial& t) {
+        draw(t.scene);
+        if (axes) {
+          make_rows(t.scene.scene.camera);
+        }
+      });
       list_.back().mistake = h.mistake;
     }
   }

@@ -250,16 +250,13 @@ Mesh student_mesh(Shape shape, const RealtimeTrial& trial) {
 
 // ---- rasterization ---------------------------------------------------------------------------
 
-// Right, up and depth. As in a view matrix, whose rows are the camera's axes, these need not be
-// perpendicular or of unit length.
+// Coordinates along the camera's axes, which need not be perpendicular: right, up, depth.
 struct CameraAxes {
   dvec3 position;
-  glm::dmat3 view;
+  glm::dmat3 inverse;
   explicit CameraAxes(const RenderCamera& c)
-      : position(c.position), view(glm::transpose(glm::dmat3(c.u, c.v, -c.w))) {}
-  dvec3 of(const dvec3& world) const { return view * (world - position); }
-  // The direction with these coordinates, in world space.
-  dvec3 along(const dvec3& coordinates) const { return glm::inverse(view) * coordinates; }
+      : position(c.position), inverse(glm::inverse(glm::dmat3(c.u, c.v, -c.w))) {}
+  dvec3 of(const dvec3& world) const { return inverse * (world - position); }
 };
 
 struct Corner {
@@ -622,7 +619,7 @@ dvec3 RealtimePicture::weights_at(int x, int y, const std::array<dvec3, 3>& corn
   const double tan_y = std::tan(camera.fov_y / 2);
   const double right = ((x + 0.5) / visible_->viewport_width * 2 - 1) * tan_y * visible_->aspect;
   const double up = ((y + 0.5) / visible_->viewport_height * 2 - 1) * tan_y;
-  const dvec3 direction = CameraAxes(camera).along({right, up, 1});
+  const dvec3 direction = right * camera.u + up * camera.v - camera.w;
   const dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
   const double slope = glm::dot(normal, direction);
   const double t = glm::dot(normal, corners[0] - camera.position) / slope;

@@ -656,7 +656,6 @@ class Search {
     }
     std::vector<std::string> same;
     std::set<std::string_view> words{list_[found.mistakes.front()].what};
-    const Colors shown = drawn_with(found.mistakes);
     for (const RealtimeTried& t : others) {
       const RealtimeHypothesis& h = list_[t.mistakes.front()];
       if (t.mistakes.size() > 1 || !t.good() || words.contains(h.what)) {
@@ -670,8 +669,7 @@ class Search {
           t.score.raw <= found.score.raw + realtime_rival_margin * before) {
         report_.rivals.push_back({h.cause, h.what, evidence_of_share(t.explained), t.explained});
         report_.rivals.back().said = tied;
-      } else if (!tied || is_curve(t.mistakes.front()) ||
-                 any_differs(shown, drawn_with(t.mistakes), 1)) {
+      } else if (!tied || is_curve(t.mistakes.front())) {
         continue;
       }
       words.insert(h.what);

@@ -415,6 +415,7 @@ class Maker {
       const std::string whose = plural(shape) + " are";
       if (curved_count() > 1) {
         add_parameters(whose, {b, a}, "the two are swapped", shape);
+        add_parameters(whose, {5, 5}, "the sliders are not used", shape);
         add_parameters(whose, {a + 1, b}, "off by one", shape);
         add_parameters(whose, {a - 1, b}, "off by one", shape);
         add_parameters(whose, {a, b + 1}, "off by one", shape);

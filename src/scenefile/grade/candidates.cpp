@@ -53,6 +53,7 @@ bool only_refines_brightness(const Simulation& sim, const Tried& t) {
          });
 }
 
+// What counts as equal: fitted numbers are estimates, so that more does.
 double exactness(double rounding, bool fitted) {
   return fitted ? 3 : std::max(1.6, rounding);
 }
@@ -454,6 +455,11 @@ Effect effect_of(const std::vector<Point>& points, double rounding, const Colors
     }
   }
   return e;
+}
+
+bool reproduces_its_part(const Effect& e, double differs) {
+  return e.changed >= min_partial * differs && e.right >= nearly_all * e.changed &&
+         e.within_rounding >= 0.8 * e.changed;
 }
 
 bool needed(const Effect& e, double differs, bool moves, bool fitted, bool any_fitted) {

@@ -10,7 +10,10 @@
 namespace scenefile {
 
 inline constexpr double nearly_all = 0.95;  ///< share of pixels where one mistake leaves no doubt
-inline constexpr std::size_t screen = 240;  ///< points used to screen single mistakes
+/// How much more of the difference a rival may leave than what was found, as a share of all.
+inline constexpr double rival_margin = 0.03;
+inline constexpr std::size_t max_ties = 4;      ///< mistakes that a claim names for one picture
+inline constexpr std::size_t screen = 240;      ///< points used to screen single mistakes
 inline constexpr std::size_t few_points = 100;  ///< points used to screen combinations
 
 /// How far colors that the mistakes explain may be from the test's, in 1/255: more with fitted
@@ -97,6 +100,10 @@ struct Effect {
 Effect effect_of(const Simulation& sim, const Colors& with, const Colors& without);
 Effect effect_of(const std::vector<Point>& points, double rounding, const Colors& with,
                  const Colors& without);
+/// Whether a mistake is right nearly everywhere where it changes the picture, mostly within
+/// rounding. Otherwise it only happens to reduce the difference. `e`: of the mistake alone;
+/// `differs`: the weight of the points that differ.
+bool reproduces_its_part(const Effect& e, double differs);
 /// Whether one of several mistakes is needed: where it changes the picture, the picture is right
 /// with it and wrong without it. `e`: of the mistakes with and without it; `differs`: the weight of
 /// the points that differ. `moves`: it moves objects; `fitted`, `any_fitted`: it, or any of them,

@@ -30,7 +30,6 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double rival_margin = 0.03;
 constexpr double max_share_for_rounding = 0.05;  // share of pixels that differ by more
 constexpr double min_share_for_several = 0.001;  // share of pixels that must differ
 
@@ -267,21 +266,16 @@ bool is_chance(Cause rival, Cause found) {
          (rival == Cause::swapped_channels && found != Cause::swapped_channels);
 }
 
-// Whether a mistake is right nearly everywhere where it changes the picture, mostly within
-// rounding. Otherwise it only happens to reduce the difference.
 bool reproduces_its_part(const Simulation& sim, const Tried& t) {
   const std::size_t count = sim.points.size();
   const Effect e = effect_of(sim, sim.predicted(t.mistakes, count), sim.predicted({}, count));
-  return e.changed >= min_partial * sim.weight_that_differs(count) &&
-         e.right >= nearly_all * e.changed && e.within_rounding >= 0.8 * e.changed;
+  return reproduces_its_part(e, sim.weight_that_differs(count));
 }
 
 // Equal but for rounding.
 bool equal_colors(const Colors& a, const Colors& b) {
   return !any_differs(a, b, 1);
 }
-
-constexpr std::size_t max_ties = 4;
 
 // Whether the mistake only leaves out features that the reference does not show.
 bool leaves_out_unseen(const Simulation& sim, std::uint16_t i) {

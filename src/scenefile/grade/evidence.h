@@ -26,6 +26,11 @@ inline constexpr double exact_within = 3;
 inline constexpr double right_within = 8;
 inline constexpr double tolerance = 2;
 
+/// Colors that differ by no more are equal; `noisy`: after compression or scaling.
+inline double rounding_with(bool noisy) {
+  return noisy ? 3 : 1.1;
+}
+
 /// How many of some points have a property. The share of no points is 1.
 struct Share {
   std::size_t part = 0;

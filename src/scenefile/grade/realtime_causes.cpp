@@ -31,8 +31,6 @@ using glm::dvec3;
 constexpr std::size_t max_partners = 40;       // mistakes per start that need a new rasterization
 constexpr std::size_t min_strict_pixels = 40;  // differing pixels needed to search at edges, too
 constexpr std::size_t max_same_points = 4000;  // where to look for pixels that a mistake breaks
-constexpr std::size_t max_alike = 4;           // mistakes that a claim names as giving the same
-constexpr double realtime_rival_margin = 0.03;
 // Stricter than for ray tracers: the rasterizer reproduces a picture nearly exactly.
 constexpr double enough_explained = 0.9;
 constexpr double enough_pixels = 0.9;
@@ -274,8 +272,7 @@ class Search {
                        colors(mistakes, shown, everywhere_, count));
   }
 
-  // Colors that differ by no more are equal, as Simulation::rounding().
-  double rounding() const { return view_.noise.empty() ? 1.1 : 3; }
+  double rounding() const { return rounding_with(!view_.noise.empty()); }
 
   Colors without(Combination mistakes, std::size_t member) const {
     mistakes.erase(mistakes.begin() + std::ptrdiff_t(member));
@@ -479,10 +476,8 @@ class Search {
     const std::shared_ptr<const Visibility> shown = visible(rasterized(t.mistakes));
     const Colors with = colors(t.mistakes, shown, points_.size());
     const Effect e = effect_of(points_, rounding(), with, right_);
-    return e.changed >= min_partial * base(points_.size()).differs &&
-           e.right >= nearly_all * e.changed && e.within_rounding >= 0.8 * e.changed &&
-           shows_bright(with) && !breaks(t.mistakes, shown, with, true) &&
-           curves_hold(t.mistakes, shown);
+    return scenefile::reproduces_its_part(e, base(points_.size()).differs) && shows_bright(with) &&
+           !breaks(t.mistakes, shown, with, true) && curves_hold(t.mistakes, shown);
   }
 
   // The best screened mistakes at all points; among similar ones the more likely first.
@@ -666,14 +661,14 @@ class Search {
                           std::any_of(report_.rivals.begin(), report_.rivals.end(),
                                       [&](const Claim& c) { return c.cause == h.cause; });
       if (!listed && report_.rivals.size() < 3 &&
-          t.score.raw <= found.score.raw + realtime_rival_margin * before) {
+          t.score.raw <= found.score.raw + rival_margin * before) {
         report_.rivals.push_back({h.cause, h.what, evidence_of_share(t.explained), t.explained});
         report_.rivals.back().said = tied;
       } else if (!tied || is_curve(t.mistakes.front())) {
         continue;
       }
       words.insert(h.what);
-      if (tied && same.size() + 1 < max_alike) {
+      if (tied && same.size() + 1 < max_ties) {
         same.push_back(h.what);
       }
     }

@@ -85,7 +85,7 @@ struct Simulation {
   bool has_noise() const { return view != nullptr && (view->samples > 1 || !view->noise.empty()); }
   /// Colors that differ by no more are equal, but for truncating one or both, or compression: of
   /// the pixels without contrast near them in JPEGs of quality 75, 99 % differ by no more than 3.
-  double rounding() const { return has_noise() ? 3 : 1.1; }
+  double rounding() const { return rounding_with(has_noise()); }
   /// Whether edges say anything: compression changes them the most.
   bool shows_edges() const { return noise().empty(); }
   /// SceneView::noise, also without a view.

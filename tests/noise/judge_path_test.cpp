@@ -99,7 +99,7 @@ struct Judge : ::testing::Test {
   DecodedPicture with(const BlockColors& sampled, DecodedPicture picture) const {
     for (int y = 0; y < 64; ++y) {
       for (int x = 0; x < 64; ++x) {
-        const std::size_t block = std::size_t(y / block_side) * truth.columns + x / block_side;
+        const std::size_t block = block_of(truth, std::size_t(64 * y + x));
         Color right(0);
         for (const auto& [kind, light] : truth.kinds) {
           right += kind.hit ? Color(0) : light[block];
@@ -125,7 +125,11 @@ struct Judge : ::testing::Test {
   template <typename Light>
   DecodedPicture by_paths(std::uint32_t samples, const Light& light) {
     options.mis = false;
-    const PathScene paths(traced, room.scene, options);
+    return by_paths(PathScene(traced, room.scene, options), samples, light);
+  }
+  template <typename Light>
+  static DecodedPicture by_paths(const PathScene& paths, std::uint32_t samples,
+                                 const Light& light) {
     DecodedPicture picture;
     picture.linear = Image(64, 64);
     for (int y = 0; y < 64; ++y) {
@@ -794,19 +798,8 @@ TEST_F(Judge, NamesMistakesOfMirrorsAndGlass) {
   options.mis = false;
   PathScene paths(traced, room.scene, options);
   paths.shaded_mirrors = true;
-  DecodedPicture shaded = picture;
-  for (int y = 0; y < 64; ++y) {
-    for (int x = 0; x < 64; ++x) {
-      Color sum(0);
-      for (std::uint32_t i = 0; i < 128; ++i) {
-        RayCounts counts;
-        sum += path_light(paths, x, y, i, counts) / 128.0;
-      }
-      for (int c = 0; c < 3; ++c) {
-        shaded.linear.pixel(x, y)[c] = static_cast<float>(sum[c]);
-      }
-    }
-  }
+  const DecodedPicture shaded =
+      by_paths(paths, 128, [](const PathRecord&, const Color& light) { return light; });
   EXPECT_EQ(names(judge_path(truth, shaded).causes), "shaded-specular ");
 }
 
